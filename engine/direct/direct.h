@@ -1,0 +1,51 @@
+/// Illuminance straight from luminaires, with umbra and penumbra, exact: nothing is sampled but the
+/// directional distribution of measured openings, and that to a stated error.
+#pragma once
+
+#include "engine/base/progress.h"
+#include "engine/base/quantity.h"
+#include "engine/geometry/configuration_factor.h"
+#include "engine/geometry/occluders.h"
+#include "engine/scene/scene.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hanei {
+
+/// A luminaire made ready to shine at full output: openings in scene coordinates, cut into convex
+/// pieces, with their luminance. Dimming and maintenance factor are not in it.
+class Emitter {
+public:
+    /// Needs     a scene without errors (check_scene); `luminaire` one of its luminaires.
+    Emitter(const Scene& scene, const Luminaire& luminaire);
+
+    /// Illuminance at the receiver. Sources without extent have hard shadows; a point on the shadow's
+    /// very edge is lit. Occluders are those of the whole scene; null means unobstructed.
+    /// Returns   never negative, never NaN.
+    Illuminance illuminance(const Receiver& receiver, const OccluderSet* occluders) const;
+
+    LuminousFlux flux() const;  ///< at full output
+    ObjectId luminaire() const;
+
+private:
+    struct Parts;
+    std::shared_ptr<const Parts> parts_;
+};
+
+/// Illuminance at every receiver from one emitter at full output; empty when stopped.
+std::optional<std::vector<double>> direct_illuminance(const Emitter& emitter, std::span<const Receiver> receivers,
+                                                      const OccluderSet* occluders, const Work& work);
+
+/// Mean illuminance over every convex polygon (patch), its receivers at Gauss points of it.
+struct ReceivingPolygon {
+    std::span<const Vec3> outline;
+    Vec3 normal;
+};
+std::optional<std::vector<double>> mean_direct_illuminance(const Emitter& emitter,
+                                                           std::span<const ReceivingPolygon> polygons,
+                                                           const OccluderSet* occluders, const Work& work);
+
+}  // namespace hanei

@@ -1,0 +1,35 @@
+/// The share of the hemisphere over a point that a polygon covers, weighted by the cosine: its
+/// form factor from a differential area (Lambert's contour formula).
+#pragma once
+
+#include "engine/base/vector.h"
+
+#include <span>
+
+namespace hanei {
+
+/// Where light arrives: a point and the unit normal of the surface there.
+struct Receiver {
+    Vec3 position{0.0};
+    Vec3 normal{0.0, 0.0, 1.0};
+    /// Direction from the point into its own face, for points on an edge or corner of it: the value
+    /// is the limit from there. Zero for a free point.
+    Vec3 inward{0.0};
+};
+
+/// Form factor from the receiver to a polygon of any simple shape, unobstructed. With M the
+/// luminous exitance of a diffuse polygon, M times this is the illuminance it gives.
+///
+///     F = 1/(2 pi) sum over edges  gamma_k  n . (a_k x b_k) / |a_k x b_k|
+///
+/// One-sided: the front of the polygon (counter-clockwise side) shines. Clipped at the receiver's
+/// horizon. Holes are given as clockwise loops and add (negatively).
+///
+/// Returns   0 to 1, never NaN; 0 when the polygon faces away, has no area or lies in the
+///           receiver's plane; 1 where the point lies in the polygon and they face each other.
+/// Weak when the point lies on an edge of the polygon and `inward` is zero.
+/// Cost      one atan2 an edge; no allocation for up to 32 vertices; any thread.
+double configuration_factor(std::span<const Vec3> polygon, const Receiver& receiver);
+double configuration_factor(const Region& region, const Receiver& receiver);
+
+}  // namespace hanei

@@ -1,0 +1,52 @@
+/// Opaque convex bodies, and which of them can stand between a point and a polygon.
+#pragma once
+
+#include "engine/base/vector.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hanei {
+
+/// A convex solid, or (one face, listed once) a flat convex polygon that is opaque from both sides.
+struct ConvexBody {
+    std::vector<Vec3> vertices;
+    std::vector<std::vector<int>> faces;  ///< counter-clockwise seen from outside
+    std::uint32_t owner = 0;              ///< ObjectId value of what it belongs to
+};
+
+/// Number of a body in an OccluderSet.
+using BodyIndex = std::uint32_t;
+
+/// Bodies under a bounding volume hierarchy, with planes, edges and boxes worked out once.
+///
+/// A body hides what lies strictly beyond its surface: a sight line that runs along a face, touches
+/// an edge or ends on the body is not blocked (open bodies, tolerance::same_place).
+///
+/// Holds     its own copy; immutable once built; any thread may ask.
+class OccluderSet {
+public:
+    OccluderSet() = default;
+    explicit OccluderSet(std::vector<ConvexBody> bodies);
+
+    bool empty() const { return bodies_.empty(); }
+    std::span<const ConvexBody> bodies() const { return bodies_; }
+
+    /// Bodies that may hide part of the convex hull of `points` (a polygon, a line, one point) from
+    /// `eye`: none is missed, a few too many may be named. Appends to `found`, in ascending order.
+    void between(const Vec3& eye, std::span<const Vec3> points, std::vector<BodyIndex>& found) const;
+
+    /// True when some body blocks the sight line between two places.
+    bool blocks(const Vec3& from, const Vec3& to) const;
+    bool blocks(const Vec3& from, const Vec3& to, std::span<const BodyIndex> candidates) const;
+
+    /// The first body that strictly contains the place; -1 when none.
+    int containing(const Vec3& place) const;
+
+private:
+    std::vector<ConvexBody> bodies_;
+    // the implementation adds its derived data here
+};
+
+}  // namespace hanei

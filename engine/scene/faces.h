@@ -1,0 +1,58 @@
+/// The faces of a scene in the scene's coordinates: what receives and reflects light.
+#pragma once
+
+#include "engine/scene/scene.h"
+
+namespace hanei {
+
+/// Which authored face this is. `face` counts within the object: room faces as in Room; furniture
+/// parts one after another, each part's faces in order; 0 for a free surface.
+struct SurfaceRef {
+    ObjectId object;
+    int face = 0;
+    auto operator<=>(const SurfaceRef&) const = default;
+};
+
+/// Part of a face with a material of its own, in scene coordinates.
+struct FaceArea {
+    Polygon outline;  ///< convex
+    ObjectId material;
+    ObjectId sub_area;
+};
+
+struct Face {
+    SurfaceRef ref;
+    Region region;  ///< counter-clockwise seen from the lit side
+    Vec3 normal;    ///< unit, towards the lit side
+    Vec3 along;     ///< unit, in the face: the direction its grid runs in (the longest edge's)
+    ObjectId material;
+    LuminousExitance own_exitance;
+    std::vector<FaceArea> areas;  ///< sub-areas, in order; the later one is seen
+};
+
+/// A convex solid in scene coordinates.
+struct Solid {
+    ObjectId object;
+    std::vector<Vec3> vertices;
+    std::vector<std::vector<int>> faces;  ///< counter-clockwise seen from outside
+    int first_face = 0;                   ///< SurfaceRef::face of faces[0]
+};
+
+/// All reflecting faces: room, furniture, free surfaces, in that order. Faces without area are left out.
+std::vector<Face> faces_of(const Scene& scene);
+
+/// The convex parts of all furniture.
+std::vector<Solid> solids_of(const Scene& scene);
+
+/// The material of a face or sub-area; null when the id names none.
+const Material* find_material(const Scene& scene, ObjectId id);
+
+/// Axis-aligned bounds of everything that has a place (room, furniture, surfaces, luminaires).
+struct Bounds {
+    Vec3 low{0.0};
+    Vec3 high{0.0};
+    double diameter() const { return glm::length(high - low); }
+};
+Bounds bounds_of(const Scene& scene);
+
+}  // namespace hanei

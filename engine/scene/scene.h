@@ -1,0 +1,240 @@
+/// Everything the user authored and nothing that follows from it.
+///
+/// A plain value: compare it, copy it, put it on the undo stack. Metres, radians, lumens; z is up.
+/// Objects carry an ObjectId that is unique within the scene and never used again, so that a
+/// selection, a cache or a result can name an object while the lists around it change.
+#pragma once
+
+#include "engine/base/quantity.h"
+#include "engine/base/vector.h"
+#include "engine/scene/photometry.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace hanei {
+
+/// Fields of a project file that this version does not know: the text of a JSON object, kept with
+/// the object it was read with and written back as it was. Empty when there are none.
+using UnknownFields = std::string;
+
+/// A perfectly diffuse surface colour.
+struct Material {
+    ObjectId id;
+    std::string name;
+    double reflectance = 0.5;  ///< 0 to 1, of luminous flux
+    UnknownFields unknown;
+    bool operator==(const Material&) const = default;
+};
+
+/// A rectangle on a room face with a reflectance of its own: a door, a window pane, a board.
+/// In face coordinates: for wall k, x runs along the plan edge from its first point and y up from
+/// the floor; for floor and ceiling, x and y are the plan's own.
+struct SubArea {
+    ObjectId id;
+    std::string name;
+    int face = 0;  ///< Room::floor_face, Room::ceiling_face or Room::wall_face(k)
+    Vec2 low{0.0};
+    Vec2 high{1.0};
+    ObjectId material;
+    UnknownFields unknown;
+    bool operator==(const SubArea&) const = default;
+};
+
+/// A plan (any simple polygon, counter-clockwise seen from above) extruded from floor to ceiling.
+struct Room {
+    ObjectId id;
+    std::string name;
+    std::vector<Vec2> plan;
+    double floor_height = 0.0;  ///< m, z of the floor
+    double height = 2.8;        ///< m, clear height
+    ObjectId floor_material;
+    ObjectId ceiling_material;
+    std::vector<ObjectId> wall_materials;  ///< one a plan edge; wall k stands on plan[k] to plan[k+1]
+    std::vector<SubArea> sub_areas;        ///< where two overlap, the later one is seen
+    UnknownFields unknown;
+    bool operator==(const Room&) const = default;
+
+    static constexpr int floor_face = 0;
+    static constexpr int ceiling_face = 1;
+    static constexpr int wall_face(int k) { return 2 + k; }
+};
+
+/// A box standing on its local z = 0, centred on its local z axis.
+struct BoxShape {
+    Vec3 size{1.0};
+    bool operator==(const BoxShape&) const = default;
+};
+
+/// A convex solid; faces are loops of vertex numbers, counter-clockwise seen from outside.
+struct ConvexShape {
+    std::vector<Vec3> vertices;
+    std::vector<std::vector<int>> faces;
+    bool operator==(const ConvexShape&) const = default;
+};
+
+/// One convex piece of furniture, placed within it.
+struct Part {
+    std::variant<BoxShape, ConvexShape> shape;
+    Vec3 position{0.0};     ///< m, in the furniture's frame
+    double rotation = 0.0;  ///< rad, about z, counter-clockwise seen from above
+    ObjectId material;
+    UnknownFields unknown;
+    bool operator==(const Part&) const = default;
+};
+
+/// A desk, a shelf, a machine: a group of convex parts moved as one.
+struct Furniture {
+    ObjectId id;
+    std::string name;
+    Vec3 position{0.0};
+    double rotation = 0.0;  ///< rad, about z
+    std::vector<Part> parts;
+    UnknownFields unknown;
+    bool operator==(const Furniture&) const = default;
+};
+
+/// A free-standing planar surface. It reflects (and may emit by itself) on its front; it is opaque
+/// from both sides. Screens, blinds, imported geometry and reference cases are made of these.
+struct FreeSurface {
+    ObjectId id;
+    std::string name;
+    Region region;
+    ObjectId material;
+    LuminousExitance own_exitance;  ///< emitted diffusely whether or not light arrives
+    UnknownFields unknown;
+    bool operator==(const FreeSurface&) const = default;
+};
+
+// The luminous opening, in the luminaire's frame: x is plane C0, y plane C90, nadir is -z.
+
+struct PointOpening {
+    bool operator==(const PointOpening&) const = default;
+};
+/// A thin diffuse tube: an element ds shines I1 sin(a) ds at the angle a to the line, all around.
+struct LineOpening {
+    Vec3 from{-0.5, 0.0, 0.0};
+    Vec3 to{0.5, 0.0, 0.0};
+    bool operator==(const LineOpening&) const = default;
+};
+/// Shines from the front of a planar polygon; any simple outline, holes allowed.
+struct PolygonOpening {
+    Region region;
+    bool operator==(const PolygonOpening&) const = default;
+};
+/// A closed solid all of whose faces shine outward. `relative_luminance` is one weight a face;
+/// empty means all faces alike.
+struct PolyhedronOpening {
+    std::vector<Vec3> vertices;
+    std::vector<std::vector<int>> faces;
+    std::vector<double> relative_luminance;
+    bool operator==(const PolyhedronOpening&) const = default;
+};
+/// The opening stated by the luminaire's photometric file.
+struct MeasuredOpening {
+    bool operator==(const MeasuredOpening&) const = default;
+};
+using Opening = std::variant<PointOpening, LineOpening, PolygonOpening, PolyhedronOpening, MeasuredOpening>;
+
+// How the intensity of the luminaire, or of every element of its opening, depends on direction.
+
+/// Lambertian from a surface, uniform in all directions from a point, I1 sin(a) from a line.
+struct Diffuse {
+    bool operator==(const Diffuse&) const = default;
+};
+/// I = I0 cos^m(angle from nadir) below the horizon, 0 above it. Point openings only.
+struct CosinePower {
+    double exponent = 1.0;
+    bool operator==(const CosinePower&) const = default;
+};
+/// As a photometric file says. From a polygon every element radiates the file's distribution.
+struct Measured {
+    ObjectId photometry;
+    bool operator==(const Measured&) const = default;
+};
+using Distribution = std::variant<Diffuse, CosinePower, Measured>;
+
+/// The output of a luminaire at full dimmer: its flux, its luminance (diffuse polygons and
+/// polyhedra: the luminance of a face of relative weight 1), or what its photometric file says.
+struct AsMeasured {
+    bool operator==(const AsMeasured&) const = default;
+};
+using Output = std::variant<LuminousFlux, Luminance, AsMeasured>;
+
+struct Luminaire {
+    ObjectId id;
+    std::string name;
+    Vec3 position{0.0};
+    double yaw = 0.0;   ///< rad, about z
+    double tilt = 0.0;  ///< rad, turns nadir towards plane C0
+    double roll = 0.0;  ///< rad, about the luminaire's own x axis
+    Opening opening = PointOpening{};
+    Distribution distribution = Diffuse{};
+    Output output = LuminousFlux{1000.0};
+    double dimming = 1.0;  ///< 0 to 1, share of the full output
+    bool opaque = false;   ///< its opening hides what lies behind it, and reflects nothing
+    std::string group;     ///< luminaires of one name are dimmed together in the window; may be empty
+    UnknownFields unknown;
+    bool operator==(const Luminaire&) const = default;
+};
+
+/// Points at the centres of the cells of a parallelogram.
+struct CalculationGrid {
+    ObjectId id;
+    std::string name;
+    Vec3 corner{0.0};
+    Vec3 along{1.0, 0.0, 0.0};   ///< m, first side
+    Vec3 across{0.0, 1.0, 0.0};  ///< m, second side; along x across points to the lit side
+    double spacing = 0.25;       ///< m, wished distance of points
+    UnknownFields unknown;
+    bool operator==(const CalculationGrid&) const = default;
+};
+
+struct CalculationPoint {
+    ObjectId id;
+    std::string name;
+    Vec3 position{0.0};
+    Vec3 normal{0.0, 0.0, 1.0};  ///< unit
+    UnknownFields unknown;
+    bool operator==(const CalculationPoint&) const = default;
+};
+
+/// A saved camera.
+struct View {
+    ObjectId id;
+    std::string name;
+    Vec3 eye{0.0};
+    Vec3 target{0.0};
+    double field_of_view = 0.9;  ///< rad, vertical
+    bool orthographic = false;   ///< then the picture is as high as the field of view at the target
+    UnknownFields unknown;
+    bool operator==(const View&) const = default;
+};
+
+struct Scene {
+    std::string title;
+    std::vector<Material> materials;
+    std::optional<Room> room;
+    std::vector<Furniture> furniture;
+    std::vector<FreeSurface> surfaces;
+    std::vector<Photometry> photometries;
+    std::vector<Luminaire> luminaires;
+    std::vector<CalculationGrid> grids;
+    std::vector<CalculationPoint> points;
+    std::vector<View> views;
+    double maintenance_factor = 1.0;  ///< 0 to 1, multiplies every luminaire's output
+    std::uint32_t last_id = 0;        ///< the greatest ObjectId ever given
+    UnknownFields unknown;
+    bool operator==(const Scene&) const = default;
+
+    ObjectId new_id() { return ObjectId{++last_id}; }
+};
+
+/// Safe to read from any thread, for as long as anybody holds it.
+using SceneSnapshot = std::shared_ptr<const Scene>;
+
+}  // namespace hanei

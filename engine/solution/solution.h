@@ -1,0 +1,122 @@
+/// What came out: values with their error bars, and the request they answer.
+#pragma once
+
+#include "engine/base/progress.h"
+#include "engine/mesh/mesh.h"
+#include "engine/plan/plan.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hanei {
+
+/// How wrong a value may be, by cause, lx. `iteration` and `skipped` are bounds, `mesh` is an
+/// estimate from two resolutions, `sampling` is 0 unless a preview sampled. It says nothing about
+/// the model (diffuse surfaces) nor about the input.
+struct ErrorBar {
+    double iteration = 0.0;
+    double mesh = 0.0;
+    double skipped = 0.0;
+    double sampling = 0.0;
+    double total() const { return iteration + mesh + skipped + sampling; }
+};
+
+/// Illuminance at a place, by the way the light came.
+struct PointValue {
+    Illuminance direct;
+    Illuminance interreflected;
+    ErrorBar error;
+    bool inside_solid = false;  ///< then all is 0 and means nothing
+    Illuminance total() const { return direct + interreflected; }
+};
+
+struct PointResult {
+    ObjectId point;  ///< the authored point
+    Vec3 position{0.0};
+    Vec3 normal{0.0, 0.0, 1.0};
+    PointValue value;
+};
+
+struct GridResult {
+    ObjectId grid;
+    int columns = 0, rows = 0;         ///< along, across
+    std::vector<PointResult> points;   ///< row by row
+};
+
+/// Figures of a grid over its points outside solids.
+struct GridFigures {
+    double mean = 0.0, min = 0.0, max = 0.0;  ///< lx
+    double uniformity = 0.0;                  ///< min / mean (EN 12464-1 U0); 0 when the mean is 0
+    double largest_error = 0.0;               ///< lx
+    int points = 0;
+};
+GridFigures figures_of(const GridResult& grid);
+
+/// Where the points of a grid lie: cell centres, round(length / spacing) cells a side, at least 1.
+GridResult layout_of(const CalculationGrid& grid);
+
+/// What a picture draws: cells with a value at every corner, interpolated bilinearly on screen
+/// (the paper's equation 6). Patches, cut finer where direct light bends.
+struct DisplayCell {
+    std::uint32_t corner[4] = {};  ///< into DisplayMesh::vertices, counter-clockwise; a triangle repeats the last
+    std::uint32_t face = 0;        ///< into Mesh::faces
+    std::uint32_t patch = 0;       ///< into Mesh::patches
+};
+struct DisplayVertex {
+    Vec3 position{0.0};
+    float direct = 0.0F;          ///< lx
+    float interreflected = 0.0F;  ///< lx
+    float unshadowed = 0.0F;      ///< lx, total with no shadows at all; 0 unless asked for
+};
+struct DisplayMesh {
+    std::vector<DisplayVertex> vertices;
+    std::vector<DisplayCell> cells;
+    bool has_unshadowed = false;
+};
+
+/// Where the flux went, lm.
+struct EnergyBalance {
+    double emitted = 0.0;    ///< luminaires and surfaces that emit by themselves
+    double absorbed = 0.0;
+    double escaped = 0.0;    ///< left through openings, or was met by surfaces' backs and luminaires
+};
+
+struct StageTime {
+    Stage stage = Stage::idle;
+    double ms = 0.0;
+    bool reused = false;  ///< the stage's inputs were those of the study before
+};
+
+/// A finished (or so far computed) answer. Immutable; anyone may keep it.
+struct Solution {
+    SceneSnapshot scene;     ///< the request: stale means that these differ from the present ones
+    Settings settings;
+    EffectsPlan plan;
+
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const OccluderSet> occluders;
+    std::vector<double> patch_direct;          ///< lx, mean over each patch
+    std::vector<double> patch_interreflected;  ///< lx
+    std::vector<double> patch_exitance;        ///< lm/m2, solved: what points gather from
+    std::vector<double> patch_exitance_half_width;
+
+    std::vector<PointResult> points;
+    std::vector<GridResult> grids;
+    std::map<SurfaceRef, PointValue> face_means;  ///< area means of every face
+    std::shared_ptr<const DisplayMesh> display;
+
+    EnergyBalance energy;
+    int bounces = 0;
+    bool converged = false;          ///< the iteration reached the accuracy asked for
+    bool complete = false;           ///< false for a result published on the way
+    double iteration_bound = 0.0;    ///< lx, greatest iteration error of any patch
+    double greatest_row_sum = 0.0;
+    std::vector<StageTime> times;
+    std::vector<std::string> notes;  ///< what the user must know ("reflectance 1 in a closed room ...")
+};
+
+using SolutionSnapshot = std::shared_ptr<const Solution>;
+
+}  // namespace hanei

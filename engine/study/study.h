@@ -1,0 +1,60 @@
+/// The order of stages from a scene to its solution, and what of it is still valid.
+#pragma once
+
+#include "engine/base/progress.h"
+#include "engine/solution/solution.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace hanei {
+
+/// What is to be computed beyond the values themselves.
+struct StudyRequest {
+    bool display = false;      ///< the display mesh for pictures
+    bool unshadowed = false;   ///< and its part without shadows (the paper's Fig. 4e)
+    bool mesh_error = true;    ///< the mesh part of the error bars (a second, coarser solution)
+    bool operator==(const StudyRequest&) const = default;
+};
+
+/// Runs studies, keeping every stage's value until what it was made from changes.
+///
+/// Needs     a scene without errors (check_scene).
+/// Holds     the last value of each stage; one thread may use it at a time.
+class Study {
+public:
+    Study();
+    ~Study();
+
+    /// `publish`, when given, is handed results on the way (complete == false): direct light first.
+    /// Returns   null when stopped.
+    SolutionSnapshot run(SceneSnapshot scene, const Settings& settings, const StudyRequest& request, const Work& work,
+                         const std::function<void(SolutionSnapshot)>& publish = nullptr);
+
+private:
+    struct Stages;
+    std::unique_ptr<Stages> stages_;
+};
+
+/// The value at any place, from a finished solution: exact direct light and one gather over the
+/// solved exitance. Cost: about 0.1 us a patch. Any thread.
+PointValue value_at(const Solution& solution, const Vec3& position, const Vec3& normal);
+
+/// Form factor between two regions past the scene's occluders (for reference cases).
+double form_factor_between(const Scene& scene, const Region& from, const Region& to);
+
+/// One run of an accuracy-time sweep.
+struct SweepPoint {
+    Method method = Method::patch;
+    double max_patch = 0.0;       ///< m
+    std::size_t unknowns = 0;
+    double milliseconds = 0.0;
+    double mean_error = 0.0;      ///< share of the mean illuminance, against the finest run
+    double p95_error = 0.0;
+    double max_error = 0.0;
+};
+/// Patch widths x methods, errors at the scene's grids and points against the finest `patch` run.
+std::vector<SweepPoint> accuracy_sweep(SceneSnapshot scene, const Settings& settings, const Work& work);
+
+}  // namespace hanei

@@ -1,0 +1,10 @@
+# Writes every shader as a string constant: shaders/cell.vert becomes hanei::shaders::cell_vert.
+set(text "#pragma once\n\nnamespace hanei::shaders {\n")
+foreach(shader IN LISTS SHADERS)
+  get_filename_component(name ${shader} NAME)
+  string(REPLACE "." "_" name ${name})
+  file(READ ${shader} source)
+  string(APPEND text "inline constexpr const char* ${name} = R\"glsl(${source})glsl\";\n")
+endforeach()
+string(APPEND text "}  // namespace hanei::shaders\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,40 @@
+/// OpenGL without a display: EGL surfaceless, else OSMesa (opened at run time).
+#pragma once
+
+#include "ui/view/image.h"
+#include "ui/view/renderer.h"
+
+#include <memory>
+#include <string>
+
+namespace hanei {
+
+class OffscreenContext {
+public:
+    /// Makes a context and makes it current on this thread. Throws std::runtime_error with both
+    /// reasons when neither way works.
+    OffscreenContext();
+    ~OffscreenContext();
+    const std::string& description() const;  ///< "EGL surfaceless, llvmpipe ..."
+
+private:
+    struct Handles;
+    std::unique_ptr<Handles> handles_;
+};
+
+/// A picture of a solution as the window would show it, with 4 samples a pixel.
+/// `annotated`: legend with quantity and unit, isolux labels, and a caption under the picture.
+struct PictureRequest {
+    Camera camera;
+    ViewOptions options;
+    PixelSize size{1280, 800};
+    bool annotated = true;
+    std::string caption;  ///< empty: title, part, settings and error of the solution
+};
+/// Needs     a current context (offscreen or window).
+Image render_picture(SolutionSnapshot solution, const PictureRequest& request);
+
+/// Total, direct, unshadowed and interreflected side by side, one scale (the paper's Fig. 4e).
+Image render_four_up(SolutionSnapshot solution, const PictureRequest& request);
+
+}  // namespace hanei
