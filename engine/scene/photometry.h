@@ -4,6 +4,7 @@
 #include "engine/base/quantity.h"
 #include "engine/scene/object_id.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,17 +15,23 @@ enum class PhotometricType { A, B, C };
 
 /// The symmetry by which the stored planes stand for all directions (LM-63, EULUMDAT Isym).
 enum class PhotometricSymmetry {
-    none,        ///< planes cover the full circle
+    none,        ///< planes cover the full circle; of types A and B what they do not cover is dark
     rotational,  ///< one plane for all
     quadrant,    ///< 0 to 90
-    plane_0,     ///< about the plane 0-180: I(C) = I(-C)
-    plane_90,    ///< about the plane 90-270: I(C) = I(180 - C)
+    plane_0,     ///< about the plane 0-180: I(C) = I(-C); of types A and B I(H) = I(-H)
+    plane_90,    ///< about the plane 90-270: I(C) = I(180 - C); stored from 90 to 270 or -90 to 90
 };
 
+// clang-format off
 enum class OpeningShape {
     point, rectangle, circle, ellipse, box,
-    vertical_cylinder, horizontal_cylinder, sphere, ellipsoid, vertical_disc,
+    vertical_cylinder,       ///< round or elliptical, as its extents say; so are the horizontal ones
+    horizontal_cylinder,     ///< its axis along plane 0
+    sphere, ellipsoid,
+    vertical_disc,           ///< round or elliptical, faces plane 0: no extent along it
+    horizontal_cylinder_90,  ///< its axis along plane 90
 };
+// clang-format on
 
 /// The luminous opening by its extent along plane 0 (x), plane 90 (y) and the vertical (z), metres.
 struct MeasuredOpeningSize {
@@ -33,6 +40,27 @@ struct MeasuredOpeningSize {
     double extent_90 = 0.0;
     double height = 0.0;
     bool operator==(const MeasuredOpeningSize&) const = default;
+};
+
+/// Lamps a luminaire may hold; the sets of one file are alternatives (EULUMDAT).
+struct LampSet {
+    double count = 1.0;  ///< below 0: absolute photometry
+    std::string type;
+    double lumens = 0.0;    ///< of all lamps of the set
+    std::string colour;     ///< appearance or temperature, as written
+    std::string rendering;  ///< colour rendering group or index, as written
+    double watts = 0.0;     ///< with gear
+    bool operator==(const LampSet&) const = default;
+};
+
+/// How the flux of lamps depends on their angle when the luminaire is tilted (LM-63 TILT). Kept, not
+/// applied: intensities are those of the luminaire as it was measured.
+struct LampTilt {
+    std::string file;  ///< name of a file of its own, not read; empty when the factors are here
+    int geometry = 0;  ///< 1 vertical lamp, 2 horizontal and stays so, 3 horizontal and tilts; 0 none stated
+    std::vector<double> angle_deg;
+    std::vector<double> factor;  ///< one an angle
+    bool operator==(const LampTilt&) const = default;
 };
 
 /// The table as the file holds it: angles in the file's own degrees and candela after the file's
@@ -52,6 +80,11 @@ struct Photometry {
     double lamp_lumens = 0.0;  ///< of all lamps together; 0 when photometry is absolute
     bool absolute = false;
     double input_watts = 0.0;
+    double candela_per_figure = 1.0;                ///< product of the file's factors: candela / this is what it wrote
+    std::optional<double> declared_output_ratio;    ///< light output ratio the file states, 0 to 1
+    std::optional<double> declared_downward_share;  ///< share of the flux below the horizontal it states, 0 to 1
+    std::vector<LampSet> lamp_sets;                 ///< as the file lists them; the first one is used
+    std::optional<LampTilt> tilt;
     std::vector<std::pair<std::string, std::string>> keywords;  ///< in file order
     std::vector<std::string> warnings;                          ///< found while reading; shown with the luminaire
     bool operator==(const Photometry&) const = default;
