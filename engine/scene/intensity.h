@@ -6,15 +6,47 @@
 
 namespace hanei {
 
-/// Intensity towards a unit direction in the luminaire's frame (x plane 0, y plane 90, nadir -z).
-/// Bilinear in the file's two angles, its symmetry applied; 0 outside the vertical range.
-/// Frames of types A, B and C: shared photometric convention, IES LM-63-2002 clause 3.
+// Every function here needs a table that hangs together: as many candela as horizontal times vertical
+// angles, both lists increasing, at least two vertical angles and one horizontal. What the readers of
+// luminaire files give does.
+
+/// The file's two angles of a direction, before its symmetry is applied.
+///
+///     C:  e = (sin g cos C, sin g sin C, -cos g)          horizontal C in [0, 360), vertical g
+///     B:  e = (cos H sin V, -sin H, -cos H cos V)         planes share the horizontal y axis
+///     A:  e = (cos Y cos X, -cos Y sin X, sin Y)          planes share the vertical z axis
+///
+/// in the luminaire's frame: x plane 0, y plane 90, nadir -z (frames and signs: IES LM-63-2002,
+/// clause 3; angles run counter-clockwise in type C, clockwise in A and B).
+struct PhotometricAngles {
+    double horizontal_deg = 0.0;
+    double vertical_deg = 0.0;
+};
+PhotometricAngles photometric_angles(PhotometricType type, const Vec3& direction);
+Vec3 photometric_direction(PhotometricType type, const PhotometricAngles& angles);
+
+/// Intensity towards a unit direction in the luminaire's frame. Bilinear in the file's two angles, its
+/// symmetry applied; 0 outside the vertical range; the last plane is joined to the first.
+///
+/// Weak when the direction is a pole of the type's angles and the file's planes disagree there: the
+///           planes meet at the pole but their figures need not.
+/// Cost      two arc tangents and two binary searches; no allocation; any thread.
 LuminousIntensity intensity(const Photometry& photometry, const Vec3& direction);
 
 /// Exact integral of the bilinear interpolant over the sphere.
 LuminousFlux luminous_flux(const Photometry& photometry);
 
+/// The part of luminous_flux that goes below the horizontal.
+LuminousFlux downward_flux(const Photometry& photometry);
+
+/// The other flux in use: the mean of a zone's four corners times the zone's exact solid angle, as
+/// North American test reports print. Differs from luminous_flux by 0.1 % on fine tables, more on coarse.
+LuminousFlux zone_average_flux(const Photometry& photometry);
+
 /// Greatest intensity of the table.
 LuminousIntensity peak_intensity(const Photometry& photometry);
+
+/// Where the table is greatest; the first place in the file's order.
+PhotometricAngles peak_angles(const Photometry& photometry);
 
 }  // namespace hanei

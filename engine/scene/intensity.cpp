@@ -1,0 +1,99 @@
+#include "engine/scene/intensity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+namespace hanei {
+namespace {
+
+/// Degrees by which rounding may carry a direction past the last angle of a table: without it the
+/// horizon itself would be dark for a file that ends at 90.
+constexpr double at_the_end = 1e-9;
+
+/// Two neighbouring angles of a table and the weight of the second one.
+struct Between {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double weight = 0.0;
+    bool outside = false;
+};
+
+Between between(const std::vector<double>& angles, double angle) {
+    if (angle < angles.front() - at_the_end || angle > angles.back() + at_the_end) return {0, 0, 0.0, true};
+    const auto next = std::upper_bound(angles.begin(), angles.end(), angle);
+    if (next == angles.begin()) return {};
+    const auto k = static_cast<std::size_t>(std::distance(angles.begin(), next)) - 1;
+    if (next == angles.end()) return {k, k, 0.0, false};
+    return {k, k + 1, (angle - angles[k]) / (angles[k + 1] - angles[k]), false};
+}
+
+/// `angle` counted from `start` upward, within a full circle.
+double from(double start, double angle) {
+    const double turned = std::fmod(angle - start, 360.0);
+    return turned < 0.0 ? turned + 360.0 : turned;
+}
+
+/// Folds an angle into the half circle that begins at the mirror plane `start`.
+double mirrored(double start, double angle) {
+    const double turned = from(start, angle);
+    return start + (turned > 180.0 ? 360.0 - turned : turned);
+}
+
+/// Planes that cover the full circle: the last one joins the first.
+Between around(const std::vector<double>& planes, double plane) {
+    const double turned = planes.front() + from(planes.front(), plane);
+    if (turned <= planes.back()) return between(planes, turned);
+    const double gap = planes.front() + 360.0 - planes.back();
+    return {planes.size() - 1, 0, (turned - planes.back()) / gap, false};
+}
+
+Between plane_between(const Photometry& photometry, double plane) {
+    const std::vector<double>& planes = photometry.horizontal_deg;
+    switch (photometry.symmetry) {
+        case PhotometricSymmetry::rotational:
+            return {};
+        case PhotometricSymmetry::quadrant: {
+            const double folded = mirrored(0.0, plane);
+            return between(planes, folded > 90.0 ? 180.0 - folded : folded);
+        }
+        case PhotometricSymmetry::plane_0:
+            if (photometry.type != PhotometricType::C) return between(planes, std::abs(plane));
+            [[fallthrough]];
+        case PhotometricSymmetry::plane_90:
+            return between(planes, mirrored(planes.front(), plane));
+        case PhotometricSymmetry::none:
+            break;
+    }
+    return photometry.type == PhotometricType::C ? around(planes, plane) : between(planes, plane);
+}
+
+}  // namespace
+
+LuminousIntensity intensity(const Photometry& photometry, const Vec3& direction) {
+    const PhotometricAngles angles = photometric_angles(photometry.type, direction);
+    const Between vertical = between(photometry.vertical_deg, angles.vertical_deg);
+    if (vertical.outside) return {};
+    const Between plane = plane_between(photometry, angles.horizontal_deg);
+    if (plane.outside) return {};
+    const auto in_plane = [&](std::size_t number) {
+        const double* candela = photometry.candela.data() + number * photometry.vertical_deg.size();
+        return candela[vertical.first] + vertical.weight * (candela[vertical.second] - candela[vertical.first]);
+    };
+    const double first = in_plane(plane.first);
+    return {first + plane.weight * (in_plane(plane.second) - first)};
+}
+
+LuminousIntensity peak_intensity(const Photometry& photometry) {
+    return {*std::max_element(photometry.candela.begin(), photometry.candela.end())};
+}
+
+PhotometricAngles peak_angles(const Photometry& photometry) {
+    const auto peak = std::max_element(photometry.candela.begin(), photometry.candela.end());
+    const auto place = static_cast<std::size_t>(std::distance(photometry.candela.begin(), peak));
+    const std::size_t row = photometry.vertical_deg.size();
+    return {photometry.horizontal_deg[place / row], photometry.vertical_deg[place % row]};
+}
+
+}  // namespace hanei
