@@ -102,6 +102,12 @@ struct Solution {
     std::vector<double> patch_exitance;        ///< lm/m2, solved: what points gather from
     std::vector<double> patch_exitance_half_width;
 
+    /// The second, coarser solution that the mesh part of the error bars is estimated from; null
+    /// when it was not asked for.
+    std::shared_ptr<const Mesh> coarse_mesh;
+    std::vector<double> coarse_exitance;  ///< lm/m2, one a patch of the coarse mesh
+    double typical_mesh_error = 0.0;      ///< lx, root mean square difference of the two at all points
+
     std::vector<PointResult> points;
     std::vector<GridResult> grids;
     std::map<SurfaceRef, PointValue> face_means;  ///< area means of every face

@@ -19,15 +19,36 @@ public:
     explicit Job(std::function<void()> wake);
     ~Job();
 
-    void start(SceneSnapshot scene, const Settings& settings, const StudyRequest& request);  ///< the newest wins
-    void cancel();             ///< the running study ends within a tile's time
+    /// The newest request wins: what runs is stopped within a tile's time.
+    void start(SceneSnapshot scene, const Settings& settings, const StudyRequest& request);
+    void cancel();             ///< ends the running study and forgets the waiting one
     SolutionSnapshot take();   ///< once a frame; null when there is none new
-    bool busy() const;
+    bool busy() const;         ///< something runs or waits
     const Progress& progress() const { return progress_; }
 
+    /// What went wrong on the machine (memory) in the last study; empty when nothing did.
+    std::string take_failure();
+
 private:
+    struct Request {
+        SceneSnapshot scene;
+        Settings settings;
+        StudyRequest wanted;
+    };
+
+    void serve(const std::stop_token& end);
+    void post(SolutionSnapshot solution);
+
     Progress progress_;
-    // the implementation adds its thread and its mailbox here
+    std::function<void()> wake_;
+    mutable std::mutex guard_;  ///< of everything below
+    std::condition_variable_any arrived_;
+    std::optional<Request> waiting_;
+    std::stop_source running_;
+    bool is_running_ = false;
+    SolutionSnapshot finished_;
+    std::string failure_;
+    std::jthread thread_;  ///< last: it ends before what it uses
 };
 
 }  // namespace hanei

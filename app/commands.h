@@ -1,0 +1,61 @@
+/// The commands of the program, after their arguments were read. Each returns an ExitCode.
+#pragma once
+
+#include "engine/plan/settings.h"
+#include "engine/scene/scene.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hanei {
+
+/// What the common options change of a project's own settings.
+using SettingsChange = std::function<void(Settings&)>;
+
+struct SolveRequest {
+    std::filesystem::path project;
+    std::optional<std::filesystem::path> csv, json;
+    SettingsChange change;
+};
+int solve_command(const SolveRequest& request);
+
+struct RenderRequest {
+    std::filesystem::path project, out;
+    std::string view;                 ///< a saved view by name or number from 1; "overview", "plan"; empty: the first
+    int width = 1280, height = 800;
+    std::string part = "total";       ///< or "four-up"
+    std::string scale = "false-colour";
+    std::string steps = "log";        ///< log, linear, en
+    std::optional<double> low, high;  ///< lx
+    bool plain = false;               ///< no legend, no caption
+    SettingsChange change;
+};
+int render_command(const RenderRequest& request);
+
+struct PlanRequest {
+    std::filesystem::path project;
+    std::optional<std::filesystem::path> json;
+    SettingsChange change;
+};
+int plan_command(const PlanRequest& request);
+
+struct SweepRequest {
+    std::filesystem::path project, out;
+    SettingsChange change;
+};
+int study_command(const SweepRequest& request);
+
+int check_command(const std::filesystem::path& project);
+
+struct ValidateRequest {
+    std::vector<std::filesystem::path> paths;
+    std::optional<std::filesystem::path> json;
+    bool max_patch_given = false;  ///< else each case gets a width that suits its size
+    SettingsChange change;
+};
+int validate_command(const ValidateRequest& request);
+
+}  // namespace hanei

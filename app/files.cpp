@@ -1,0 +1,47 @@
+#include "app/files.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+namespace hanei {
+
+void print_findings(const Diagnostics& findings) {
+    for (const Diagnostic& finding : findings) std::fprintf(stderr, "%s\n", to_text(finding).c_str());
+}
+
+std::optional<Project> open_project(const std::filesystem::path& file) {
+    ProjectRead read = read_project(file);
+    print_findings(read.findings);
+    return std::move(read.project);
+}
+
+void write_text(const std::filesystem::path& file, std::string_view text) {
+    std::filesystem::path beside = file;
+    beside += ".part" + std::to_string(::getpid());
+    std::ofstream out(beside, std::ios::binary);
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    out.close();
+    std::error_code failure;
+    if (out) std::filesystem::rename(beside, file, failure);
+    if (!out || failure) {
+        std::error_code ignored;
+        std::filesystem::remove(beside, ignored);
+        throw std::runtime_error(file.string() + ": cannot be written" + (failure ? ": " + failure.message() : ""));
+    }
+}
+
+std::filesystem::path start_room() {
+    const std::filesystem::path name = "assets/rooms/computer-room-panels.hanei";
+    std::error_code failure;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", failure);
+    for (auto folder = program.parent_path(); !failure && folder.has_relative_path(); folder = folder.parent_path()) {
+        if (std::filesystem::exists(folder / name)) return folder / name;
+        if (std::filesystem::exists(folder / "share/hanei" / name)) return folder / "share/hanei" / name;
+    }
+    return name;
+}
+
+}  // namespace hanei

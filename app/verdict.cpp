@@ -1,0 +1,132 @@
+#include "app/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace hanei {
+
+namespace {
+
+struct Spread {
+    double mean = 0.0, p95 = 0.0, worst = 0.0;
+};
+
+Spread spread_of(std::vector<double> errors) {
+    Spread spread;
+    if (errors.empty()) return spread;
+    std::sort(errors.begin(), errors.end());
+    for (const double error : errors) spread.mean += error / static_cast<double>(errors.size());
+    spread.p95 = errors[std::min(errors.size() - 1, errors.size() * 95 / 100)];
+    spread.worst = errors.back();
+    return spread;
+}
+
+std::map<std::string, std::vector<double>> errors_by_set(const CaseVerdict& verdict) {
+    std::map<std::string, std::vector<double>> sets;
+    for (const Judged& judged : verdict.judged) sets[judged.set].push_back(judged.relative_error());
+    return sets;
+}
+
+int count_grade(const CaseVerdict& verdict, Grade grade) {
+    return static_cast<int>(std::count_if(verdict.judged.begin(), verdict.judged.end(),
+                                          [&](const Judged& judged) { return judged.grade() == grade; }));
+}
+
+}  // namespace
+
+std::string_view name_of(Grade grade) {
+    switch (grade) {
+        case Grade::top: return "top";
+        case Grade::pass: return "pass";
+        case Grade::fail: return "fail";
+        case Grade::unsupported: return "unsupported";
+    }
+    return "";
+}
+
+double Judged::relative_error() const {
+    const double error = std::abs(got - expected);
+    if (error == 0.0) return 0.0;
+    return expected != 0.0 ? error / std::abs(expected) : error;
+}
+
+Grade Judged::grade() const {
+    const double error = std::abs(got - expected);  // not a number fails both
+    if (error <= allowed_top) return Grade::top;
+    if (error <= allowed_pass) return Grade::pass;
+    return Grade::fail;
+}
+
+Judged judge(std::string id, std::string set, double expected, double got, double uncertainty,
+             const ReferenceGrade& top, const ReferenceGrade& pass) {
+    const auto allowed = [&](const ReferenceGrade& grade) {
+        const double tolerance = std::max(grade.relative * std::abs(expected), grade.absolute);
+        return set.empty() ? std::max(tolerance, 2.0 * uncertainty) : tolerance + uncertainty;
+    };
+    return {std::move(id), set, expected, got, allowed(top), allowed(pass), 0.0};
+}
+
+Grade CaseVerdict::grade() const {
+    if (!unsupported.empty()) return Grade::unsupported;
+    Grade worst = Grade::top;
+    for (const Judged& point : judged) worst = std::max(worst, point.grade());
+    return worst;
+}
+
+std::string line_of(const CaseVerdict& verdict) {
+    if (!verdict.unsupported.empty())
+        return fmt::format("{:<28} unsupported: {}\n", verdict.id, verdict.unsupported);
+    std::vector<double> errors;
+    const Judged* worst = nullptr;
+    for (const Judged& judged : verdict.judged) {
+        errors.push_back(judged.relative_error());
+        if (judged.grade() == Grade::fail && (!worst || judged.relative_error() > worst->relative_error())) worst = &judged;
+    }
+    const Spread all = spread_of(errors);
+    std::string text = fmt::format("{:<28} {:>4} points  mean {:>8.2e}  worst {:>8.2e}  {:>6} patches {:>7.2f} s  {}\n",
+                                   verdict.id, verdict.judged.size(), all.mean, all.worst, verdict.patches,
+                                   verdict.seconds, name_of(verdict.grade()));
+    if (worst)
+        text += fmt::format("    worst: {}: expected {:.9g}, got {:.9g}, allowed +- {:.2g}\n", worst->id, worst->expected,
+                            worst->got, worst->allowed_pass);
+    for (const auto& [set, set_errors] : errors_by_set(verdict)) {
+        if (set.empty()) continue;
+        const Spread spread = spread_of(set_errors);
+        text += fmt::format("    {:<12} {:>4} points  mean {:.3f} %  p95 {:.3f} %  max {:.2f} %\n", set, set_errors.size(),
+                            100 * spread.mean, 100 * spread.p95, 100 * spread.worst);
+    }
+    return text;
+}
+
+std::string categories_text(const std::vector<CaseVerdict>& verdicts) {
+    struct Count {
+        int cases = 0, top = 0, pass = 0, unsupported = 0;
+        int points = 0, points_top = 0, points_pass = 0;
+    };
+    std::map<std::string, Count> categories;
+    int passed = 0;
+    for (const CaseVerdict& verdict : verdicts) {
+        const Grade grade = verdict.grade();
+        const bool good = grade == Grade::top || grade == Grade::pass;
+        Count& count = categories[verdict.category];
+        ++count.cases;
+        count.top += grade == Grade::top;
+        count.pass += good;
+        count.unsupported += grade == Grade::unsupported;
+        count.points += static_cast<int>(verdict.judged.size());
+        count.points_top += count_grade(verdict, Grade::top);
+        count.points_pass += count_grade(verdict, Grade::top) + count_grade(verdict, Grade::pass);
+        passed += good;
+    }
+    std::string text = fmt::format("\n{:<44} {:>6} {:>6} {:>6} {:>12} {:>9} {:>10} {:>10}\n", "category", "cases", "pass",
+                                   "top", "unsupported", "points", "pass", "top");
+    for (const auto& [category, count] : categories)
+        text += fmt::format("{:<44} {:>6} {:>6} {:>6} {:>12} {:>9} {:>10} {:>10}\n", category, count.cases, count.pass,
+                            count.top, count.unsupported, count.points, count.points_pass, count.points_top);
+    return text + fmt::format("{} passed, {} failed\n", passed, static_cast<int>(verdicts.size()) - passed);
+}
+
+}  // namespace hanei

@@ -1,0 +1,29 @@
+#include "engine/report/numbers.h"
+
+#include "engine/report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hanei {
+
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string illuminance_text(Illuminance value, double error_lux) {
+    if (error_lux <= 0.0) return fmt::format("{:.1f} lx", value.value);
+    // One digit of the error, and the value to the same place.
+    const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(error_lux))), 0, 6);
+    return fmt::format("{:.{}f} ± {:.{}f} lx", value.value, digits, error_lux, digits);
+}
+
+}  // namespace hanei

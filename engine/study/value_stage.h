@@ -1,0 +1,48 @@
+/// Values with their error bars at calculation points, and means of faces.
+#pragma once
+
+#include "engine/solution/solution.h"
+#include "engine/study/display_stage.h"
+#include "engine/study/level.h"
+
+namespace hanei {
+
+/// All authored points and grid points, in the order points, then grids; locations filled, values not.
+struct CalculationPlaces {
+    std::vector<PointResult> points;
+    std::vector<GridResult> grids;
+
+    std::size_t size() const;
+    /// Calls `visit(point)` for every place, in order.
+    template <class Visit>
+    void for_each(Visit&& visit) {
+        for (PointResult& point : points) visit(point);
+        for (GridResult& grid : grids)
+            for (PointResult& point : grid.points) visit(point);
+    }
+};
+CalculationPlaces places_of(const Scene& scene);
+
+/// One receiver a place, on the mesh's face where it lies on one.
+std::vector<Receiver> receivers_at(CalculationPlaces& places, const Mesh& mesh);
+
+/// What the parts of a value at one place are made from, lx.
+struct ValueParts {
+    double direct = 0.0;
+    double interreflected = 0.0;
+    double iteration = 0.0;         ///< gathered from the exitances' half widths
+    double coarse = -1.0;           ///< the coarser solution's interreflected value; negative: not computed
+    double typical_mesh_error = 0.0;
+    double skipped = 0.0;
+};
+/// Mesh part: the difference of the two resolutions, and at least half its root mean square over
+/// all points, so that two curves that happen to cross do not claim to be exact.
+PointValue value_from(const ValueParts& parts);
+
+/// Area means of every face of the mesh.
+std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const LevelAnswer& answer, double skipped_lux);
+
+/// Emitted, absorbed and escaped flux of a solution.
+EnergyBalance energy_of(const Scene& scene, const Mesh& mesh, const LevelAnswer& answer);
+
+}  // namespace hanei
