@@ -53,7 +53,6 @@ int check_command(const std::filesystem::path& project);
 struct ValidateRequest {
     std::vector<std::filesystem::path> paths;
     std::optional<std::filesystem::path> json;
-    bool max_patch_given = false;  ///< else each case gets a width that suits its size
     SettingsChange change;
 };
 int validate_command(const ValidateRequest& request);

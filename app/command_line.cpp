@@ -1,0 +1,213 @@
+#include "app/command_line.h"
+
+#include "app/commands.h"
+#include "app/desktop.h"
+#include "app/exit_code.h"
+#include "app/files.h"
+#include "app/photometry_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <memory>
+
+namespace hanei {
+
+namespace {
+
+/// Applies what was given of the common options to a project's settings, in order.
+class CommonOptions {
+public:
+    void add_to(CLI::App& command) {
+        command.add_option("--method", method_, "Method of interreflection: paper or patch")
+            ->check(CLI::IsMember({std::string(name_of(Method::paper)), std::string(name_of(Method::patch))}));
+        std::apply([&](const auto&... option) { (add(command, option), ...); }, options);
+    }
+
+    SettingsChange change() const {
+        return [this](Settings& settings) {
+            if (method_ == name_of(Method::paper)) settings.method = Method::paper;
+            if (method_ == name_of(Method::patch)) settings.method = Method::patch;
+            for (const auto& [name, apply] : given_) apply(settings);
+        };
+    }
+
+private:
+    template <class T>
+    void add(CLI::App& command, const Option<T>& option) {
+        const std::string name(option.name);
+        std::string help(option.help);
+        if (!option.unit.empty()) help += " (" + std::string(option.unit) + ")";
+        command.add_option_function<T>(
+                   "--" + name,
+                   [this, name, option](const T& shown) {
+                       given_[name] = [option, shown](Settings& settings) {
+                           settings.*option.member = static_cast<T>(shown / static_cast<T>(option.scale));
+                       };
+                   },
+                   help)
+            ->check(CLI::Range(option.low, option.high));
+    }
+
+    std::string method_;
+    std::map<std::string, std::function<void(Settings&)>> given_;
+};
+
+/// The arguments of all commands; each lives as long as the parser that writes into it.
+struct Arguments {
+    DesktopRequest desktop;
+    SolveRequest solve;
+    RenderRequest render;
+    PlanRequest plan;
+    SweepRequest study;
+    ValidateRequest validate;
+    std::filesystem::path check_project, photometry_file;
+    std::optional<std::filesystem::path> photometry_json;
+    std::string size = "1280x800";
+    std::string render_size = "1280x800";
+    CommonOptions common;
+};
+
+/// "1280x800", both 16 to 16384.
+std::string check_size(const std::string& text) {
+    int width = 0, height = 0, used = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) == 2 && used == static_cast<int>(text.size()) &&
+        std::min(width, height) >= 16 && std::max(width, height) <= 16384)
+        return {};
+    return "\"" + text + "\" is no size; write WIDTHxHEIGHT in pixels, 16 to 16384 each";
+}
+
+void read_size(const std::string& text, int& width, int& height) { std::sscanf(text.c_str(), "%dx%d", &width, &height); }
+
+void add_project(CLI::App& command, std::filesystem::path& into) {
+    command.add_option("PROJECT", into, "Project file (.hanei)")->required();
+}
+
+void add_desktop(CLI::App& app, Arguments& arguments) {
+    app.add_option("PROJECT", arguments.desktop.project, "Project file to open; none: the start room");
+    app.add_option("--size", arguments.size, "Size of the window in pixels")->check(CLI::Validator(check_size, "WxH"));
+    app.add_option("--script", arguments.desktop.script, "Play this script of clicks, keys and pictures without a window, then end");
+    app.add_option("--state-file", arguments.desktop.state_file, "Keep the window's state here as JSON, for test drivers");
+}
+
+void add_solve(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("solve", "Compute every calculation grid and point");
+    add_project(*command, arguments.solve.project);
+    command->add_option("--csv", arguments.solve.csv, "Write every value with its error bar here");
+    command->add_option("--json", arguments.solve.json, "The same as JSON, with plan and flux");
+    arguments.common.add_to(*command);
+}
+
+void add_render(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("render", "Draw a picture (PNG) without a display");
+    RenderRequest& request = arguments.render;
+    add_project(*command, request.project);
+    command->add_option("--out", request.out, "PNG file to write")->required();
+    command->add_option("--view", request.view, "A saved view by name or number, \"overview\" or \"plan\"");
+    command->add_option("--size", arguments.render_size, "Size of the picture in pixels")->check(CLI::Validator(check_size, "WxH"));
+    command->add_option("--part", request.part, "Which light; four-up: all four side by side")
+        ->check(CLI::IsMember({"total", "direct", "interreflected", "unshadowed", "four-up"}));
+    command->add_option("--scale", request.scale, "How it is coloured")->check(CLI::IsMember({"false-colour", "photo"}));
+    command->add_option("--steps", request.steps, "Colour scale: logarithmic, linear, or steps of EN 12464-1")
+        ->check(CLI::IsMember({"log", "linear", "en"}));
+    command->add_option("--low", request.low, "Lower end of the colour scale (lx)")->check(CLI::PositiveNumber);
+    command->add_option("--high", request.high, "Upper end of the colour scale (lx)")->check(CLI::PositiveNumber);
+    command->add_flag("--plain", request.plain, "No legend and no caption");
+    arguments.common.add_to(*command);
+}
+
+void add_plan(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("plan", "Show which effects the scene calls for, and why");
+    add_project(*command, arguments.plan.project);
+    command->add_option("--json", arguments.plan.json, "Write the plan here");
+    arguments.common.add_to(*command);
+}
+
+void add_study(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("study", "Accuracy against time: methods and patch widths on this scene");
+    add_project(*command, arguments.study.project);
+    command->add_option("--out", arguments.study.out, "Folder for accuracy-time.csv and .svg")->required();
+    arguments.common.add_to(*command);
+}
+
+void add_check(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("check", "Find faults of the file and of the scene");
+    add_project(*command, arguments.check_project);
+}
+
+void add_validate(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("validate", "Compute reference cases and compare with what is expected");
+    command->add_option("PATH", arguments.validate.paths, "Case files, or folders that are searched downwards")->required();
+    command->add_option("--json", arguments.validate.json, "Write every point here");
+    arguments.common.add_to(*command);
+}
+
+void add_photometry(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("photometry", "What a luminaire file says and what follows from it");
+    command->add_option("FILE", arguments.photometry_file, "Luminaire file (.ies, .ldt)")->required();
+    command->add_option("--json", arguments.photometry_json, "Write the same as JSON");
+}
+
+int run_desktop_from(Arguments& arguments) {
+    if (arguments.desktop.project.empty()) arguments.desktop.project = start_room();
+    read_size(arguments.size, arguments.desktop.width, arguments.desktop.height);
+    return run_desktop(arguments.desktop);
+}
+
+int run(const CLI::App& app, Arguments& arguments) {
+    const auto change = arguments.common.change();
+    if (app.got_subcommand("solve")) {
+        arguments.solve.change = change;
+        return solve_command(arguments.solve);
+    }
+    if (app.got_subcommand("render")) {
+        arguments.render.change = change;
+        read_size(arguments.render_size, arguments.render.width, arguments.render.height);
+        return render_command(arguments.render);
+    }
+    if (app.got_subcommand("plan")) {
+        arguments.plan.change = change;
+        return plan_command(arguments.plan);
+    }
+    if (app.got_subcommand("study")) {
+        arguments.study.change = change;
+        return study_command(arguments.study);
+    }
+    if (app.got_subcommand("check")) return check_command(arguments.check_project);
+    if (app.got_subcommand("validate")) {
+        arguments.validate.change = change;
+        return validate_command(arguments.validate);
+    }
+    if (app.got_subcommand("photometry"))
+        return photometry_command(arguments.photometry_file, arguments.photometry_json, std::cout, std::cerr);
+    return run_desktop_from(arguments);
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+    CLI::App app{"Hanei: lighting design with exact direct light and interreflection, and an error bar on every value", "hanei"};
+    app.set_version_flag("--version", "Hanei " HANEI_VERSION);
+    app.require_subcommand(0, 1);
+    app.footer("Exit codes: 0 done; 1 the answer is no; 2 bad input or usage; 3 the machine failed.");
+    Arguments arguments;
+    add_desktop(app, arguments);
+    add_solve(app, arguments);
+    add_render(app, arguments);
+    add_plan(app, arguments);
+    add_study(app, arguments);
+    add_check(app, arguments);
+    add_validate(app, arguments);
+    add_photometry(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& fault) {
+        return app.exit(fault) == 0 ? exit_done : exit_bad_input;
+    }
+    return run(app, arguments);
+}
+
+}  // namespace hanei
