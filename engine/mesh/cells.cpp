@@ -1,0 +1,141 @@
+#include "engine/mesh/cells.h"
+
+#include "engine/geometry/polygon.h"
+#include "engine/mesh/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hanei {
+
+namespace {
+
+/// Coordinates in the plane of a face.
+struct FaceFrame {
+    Vec3 origin{0.0};
+    Vec3 along{0.0};
+    Vec3 across{0.0};
+
+    explicit FaceFrame(const Face& face)
+        : origin(face.region.outline.front()), along(face.along), across(glm::cross(face.normal, face.along)) {}
+    Vec2 flat(const Vec3& place) const { return {glm::dot(place - origin, along), glm::dot(place - origin, across)}; }
+    Vec3 place(double u, double v) const { return origin + u * along + v * across; }
+};
+
+struct FlatBox {
+    Vec2 low{std::numeric_limits<double>::infinity()};
+    Vec2 high{-std::numeric_limits<double>::infinity()};
+
+    FlatBox(const FaceFrame& frame, const Polygon& polygon) {
+        for (const Vec3& place : polygon) {
+            low = glm::min(low, frame.flat(place));
+            high = glm::max(high, frame.flat(place));
+        }
+    }
+    bool meets(const FlatBox& other) const {
+        return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+    }
+};
+
+struct Cutter {
+    Polygon outline;
+    FlatBox box;
+    ObjectId material;
+};
+
+std::vector<Cutter> cutters_of(const FaceFrame& frame, std::span<const Polygon> polygons) {
+    std::vector<Cutter> cutters;
+    for (const Polygon& polygon : polygons) cutters.push_back({polygon, FlatBox(frame, polygon), {}});
+    return cutters;
+}
+
+double area_of(const Polygon& polygon) { return glm::length(vector_area(polygon)); }
+
+/// The parts of a cell inside the face: the cell itself where it is wholly inside, also when the
+/// face had to be cut into several pieces.
+std::vector<Polygon> inside_face(const Polygon& cell, const FlatBox& box, const std::vector<Cutter>& pieces,
+                                 const Vec3& normal, double thickness) {
+    std::vector<Polygon> parts;
+    double area = 0.0;
+    for (const Cutter& piece : pieces) {
+        if (!box.meets(piece.box)) continue;
+        Polygon part = common_part(cell, piece.outline, normal, thickness);
+        if (part.empty()) continue;
+        area += area_of(part);
+        parts.push_back(std::move(part));
+    }
+    // a corner cut off by less than this is narrower than the tolerance of a place
+    if (area >= area_of(cell) - thickness * diameter(cell)) return {cell};
+    return parts;
+}
+
+void take_away(std::vector<Polygon>& parts, const FlatBox& box, const std::vector<Cutter>& covers, double thickness) {
+    for (const Cutter& cover : covers) {
+        if (parts.empty()) return;
+        if (!box.meets(cover.box)) continue;
+        std::vector<Polygon> left;
+        for (const Polygon& part : parts) {
+            for (Polygon& piece : subtracted(part, cover.outline, thickness)) left.push_back(std::move(piece));
+        }
+        parts = std::move(left);
+    }
+}
+
+/// Cuts cells along sub-areas, in their order: the later one is seen.
+void give_materials(std::vector<Cell>& cells, const FlatBox& box, const std::vector<Cutter>& areas, double thickness) {
+    for (const Cutter& area : areas) {
+        if (!box.meets(area.box)) continue;
+        std::vector<Cell> cut;
+        for (Cell& cell : cells) {
+            Polygon inside;
+            std::vector<Polygon> outside = subtracted(cell.outline, area.outline, thickness, &inside);
+            if (inside.empty()) {
+                cut.push_back(std::move(cell));
+                continue;
+            }
+            for (Polygon& part : outside) cut.push_back({std::move(part), cell.material});
+            cut.push_back({std::move(inside), area.material});
+        }
+        cells = std::move(cut);
+    }
+}
+
+}  // namespace
+
+int patches_along(double side, double wished) {
+    return std::max(1, static_cast<int>(std::floor(std::min(side / wished, 1e6) + 0.5)));
+}
+
+std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, double max_patch, double thickness) {
+    const FaceFrame frame(face);
+    const FlatBox whole(frame, face.region.outline);
+    const std::vector<Cutter> pieces = cutters_of(frame, pieces_of(face.region, face.normal));
+    const std::vector<Cutter> cuts = cutters_of(frame, covers);
+    std::vector<Cutter> areas;
+    for (const FaceArea& area : face.areas)
+        areas.push_back({area.outline, FlatBox(frame, area.outline), area.material});
+
+    const int columns = patches_along(whole.high.x - whole.low.x, max_patch);
+    const int rows = patches_along(whole.high.y - whole.low.y, max_patch);
+    const auto u = [&](int i) { return whole.low.x + (whole.high.x - whole.low.x) * i / columns; };
+    const auto v = [&](int j) { return whole.low.y + (whole.high.y - whole.low.y) * j / rows; };
+
+    std::vector<Cell> cells;
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const Polygon cell{frame.place(u(i), v(j)), frame.place(u(i + 1), v(j)), frame.place(u(i + 1), v(j + 1)),
+                               frame.place(u(i), v(j + 1))};
+            const FlatBox box(frame, cell);
+            std::vector<Polygon> parts = inside_face(cell, box, pieces, face.normal, thickness);
+            take_away(parts, box, cuts, thickness);
+            std::vector<Cell> cut;
+            for (Polygon& part : parts) cut.push_back({std::move(part), face.material});
+            give_materials(cut, box, areas, thickness);
+            for (Cell& part : cut) cells.push_back(std::move(part));
+        }
+    }
+    return cells;
+}
+
+}  // namespace hanei
