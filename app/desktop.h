@@ -1,0 +1,21 @@
+/// The window's entrance: opens a project on the desktop, or plays a script on it without one.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace hanei {
+
+struct DesktopRequest {
+    std::filesystem::path project;                    ///< empty: an empty room
+    std::optional<std::filesystem::path> script;      ///< play this without a window or display, then end
+    std::optional<std::filesystem::path> state_file;  ///< keep the window's state here as JSON, for test drivers
+    int width = 1280;
+    int height = 800;
+};
+
+/// Returns   an exit code of the command line: 0 done, 1 a script's expectation failed, 2 the project
+///           or the script cannot be read, 3 no window or no OpenGL.
+int run_desktop(const DesktopRequest& request);
+
+}  // namespace hanei

@@ -1,0 +1,72 @@
+/// Everything the user can ask for by menu or key: one table for menus, keys, help and tests.
+#pragma once
+
+#include "ui/panels/key.h"
+
+#include <span>
+#include <string_view>
+
+namespace hanei {
+
+enum class CommandId {
+    open,
+    save,
+    save_as,
+    export_picture,
+    quit,
+    undo,
+    redo,
+    duplicate,
+    remove,
+    deselect,
+    toggle_snap,
+    nudge_left,
+    nudge_right,
+    nudge_down,
+    nudge_up,
+    nudge_lower,
+    nudge_higher,
+    add_point_luminaire,
+    add_line_luminaire,
+    add_panel_luminaire,
+    add_luminaire_file,
+    add_box,
+    add_grid,
+    add_calculation_point,
+    show_overview,
+    show_plan,
+    look_at_selection,
+    save_view,
+    part_total,
+    part_direct,
+    part_interreflected,
+    part_unshadowed,
+    four_up,
+    toggle_photo,
+    toggle_isolux,
+    toggle_mesh,
+    toggle_grids,
+    fit_range,
+    show_keys,
+    show_about,
+};
+
+struct Command {
+    CommandId id;
+    std::string_view name;  ///< "edit.undo": what scripts and tests call it
+    std::string_view menu;  ///< menu it stands in; empty: reached by key alone
+    std::string_view label;
+    std::string_view help;  ///< one sentence: tooltip and keyboard map
+    Chord chord;
+    Chord other = {};  ///< a second chord for the same thing
+    bool starts_section = false;
+};
+
+/// In the order of the menus.
+std::span<const Command> commands();
+const Command& command(CommandId id);
+
+/// Null when no command has this chord.
+const Command* command_for(const Chord& chord);
+
+}  // namespace hanei

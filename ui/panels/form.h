@@ -1,0 +1,64 @@
+/// Rows of labelled fields with units, aligned in three columns: label, field, unit.
+///
+/// A dragged number changes on every frame; a typed one when it is finished (Enter, Tab, a click
+/// elsewhere), so that no half-typed figure is ever solved. Escape gives a typed one up.
+#pragma once
+
+#include "ui/panels/widget_registry.h"
+
+#include <span>
+#include <string>
+
+namespace hanei {
+
+struct NumberField {
+    const char* name;  ///< for scripts: "luminaire.x"
+    const char* label;
+    const char* unit;
+    const char* help;
+    double low, high;
+    double step;  ///< change a pixel of dragging
+    int decimals;
+};
+
+class Form {
+public:
+    explicit Form(WidgetRegistry& widgets) : widgets_(widgets) {}
+
+    void begin(const char* id);
+    void end();
+    void heading(const char* text);
+
+    /// All return true when the value changed.
+    bool number(const NumberField& field, double& value);
+    bool whole(const NumberField& field, int& value);
+    bool text(const char* name, const char* label, const char* help, std::string& value);
+    bool toggle(const char* name, const char* label, const char* help, bool& value);
+    bool choice(const char* name, const char* label, const char* help, std::span<const std::string> names, int& chosen);
+    void fact(const char* label, const std::string& value, const char* unit = "");  ///< not for editing
+    bool button(const char* name, const char* label, const char* help);
+    void remark(const std::string& text, bool warning);  ///< over the whole width
+
+    /// A value changed in this frame by typing or choosing: the gesture is over at once.
+    bool finished() const { return finished_; }
+    void begin_frame() { finished_ = false; }
+
+    WidgetRegistry& widgets() { return widgets_; }
+
+private:
+    void label(const char* text, const char* help);
+    void unit(const char* text);
+    bool accept_typed(bool edited, bool typing);
+
+    WidgetRegistry& widgets_;
+    bool finished_ = false;
+    unsigned typing_ = 0;  ///< the ImGui item text is being typed into
+    double typed_number_ = 0.0;
+    std::string typed_text_;
+};
+
+/// Shows the text when the last item is hovered.
+void tooltip(const char* text);
+void tooltip(const std::string& text);
+
+}  // namespace hanei

@@ -1,0 +1,92 @@
+#include "ui/panels/live_study.h"
+
+#include "engine/scene/scene_check.h"
+
+namespace hanei {
+namespace {
+
+constexpr std::chrono::milliseconds patience{250};  // of a gesture with the study under way
+
+}  // namespace
+
+LiveStudy::LiveStudy(std::function<void()> wake) : job_(std::move(wake)) {}
+
+bool LiveStudy::answers(const Solution& solution) const {
+    return solution.settings == wish_.settings && (solution.scene == wish_.scene || *solution.scene == *wish_.scene);
+}
+
+bool LiveStudy::fresh() const {
+    if (pending_ || wish_.in_gesture || !solution_ || !solution_->complete) return false;
+    if (wish_.unshadowed && !(solution_->display && solution_->display->has_unshadowed)) return false;
+    return solution_->scene == final_scene_ && answers(*solution_);
+}
+
+void LiveStudy::take() {
+    SolutionSnapshot taken = job_.take();
+    if (!taken) return;
+    // A result on the way has no display of its own until direct light is known.
+    if (!taken->display && solution_ && solution_->display) return;
+    solution_ = std::move(taken);
+    if (fresh()) answer_seconds_ = std::chrono::duration<double>(Clock::now() - wished_at_).count();
+}
+
+void LiveStudy::start() {
+    pending_ = false;
+    started_ = true;
+    started_at_ = Clock::now();
+    faults_.clear();
+    for (const Diagnostic& finding : check_scene(*wish_.scene)) {
+        if (finding.severity == Severity::error) faults_.push_back(finding);
+    }
+    if (!faults_.empty()) {
+        job_.cancel();
+        return;
+    }
+    if (!wish_.in_gesture) final_scene_ = wish_.scene;
+    job_.start(wish_.scene, wish_.settings,
+               {.display = true, .unshadowed = wish_.unshadowed, .mesh_error = !wish_.in_gesture});
+}
+
+void LiveStudy::follow(const Wish& wish) {
+    take();
+    const bool same_scene = wish_.scene && (wish.scene == wish_.scene || *wish.scene == *wish_.scene);
+    const bool more = wish.unshadowed && !wish_.unshadowed;
+    const bool released = wish_.in_gesture && !wish.in_gesture;
+    if (!same_scene || wish.settings != wish_.settings || more || released) {
+        pending_ = true;
+        wished_at_ = Clock::now();
+        answer_seconds_ = -1.0;
+    }
+    const bool unshadowed = wish.unshadowed || (wish_.unshadowed && same_scene);
+    wish_ = wish;
+    wish_.unshadowed = unshadowed;
+    if (!pending_) return;
+    const bool patient = wish_.in_gesture && started_ && job_.busy() && Clock::now() - started_at_ < patience;
+    if (!patient) start();
+}
+
+std::string_view name_of(Stage stage) {
+    switch (stage) {
+        case Stage::idle:
+            return "idle";
+        case Stage::planning:
+            return "planning";
+        case Stage::meshing:
+            return "cutting patches";
+        case Stage::direct:
+            return "direct light";
+        case Stage::factors:
+            return "form factors";
+        case Stage::balance:
+            return "interreflection";
+        case Stage::gathering:
+            return "gathering";
+        case Stage::refining:
+            return "refining the picture";
+        case Stage::done:
+            return "done";
+    }
+    return {};
+}
+
+}  // namespace hanei

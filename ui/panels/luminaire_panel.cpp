@@ -1,0 +1,158 @@
+#include "engine/scene/intensity.h"
+#include "ui/panels/edit.h"
+#include "ui/panels/properties.h"
+#include "ui/panels/property_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace hanei {
+namespace {
+
+const Photometry* photometry_of(const Scene& scene, const Luminaire& luminaire) {
+    const auto* measured = std::get_if<Measured>(&luminaire.distribution);
+    if (measured == nullptr) return nullptr;
+    for (const Photometry& photometry : scene.photometries) {
+        if (photometry.id == measured->photometry) return &photometry;
+    }
+    return nullptr;
+}
+
+/// The two half sides of an axis-aligned rectangle about the origin; empty for any other outline.
+std::optional<Vec2> rectangle_of(const PolygonOpening& opening) {
+    const Polygon& outline = opening.region.outline;
+    if (outline.size() != 4 || !opening.region.holes.empty()) return std::nullopt;
+    const Vec2 half{std::abs(outline[0].x), std::abs(outline[0].y)};
+    for (const Vec3& corner : outline) {
+        if (std::abs(corner.x) != half.x || std::abs(corner.y) != half.y || corner.z != outline[0].z)
+            return std::nullopt;
+    }
+    return half;
+}
+
+bool opening_rows(Luminaire& luminaire, Form& form) {
+    bool changed = false;
+    if (auto* line = std::get_if<LineOpening>(&luminaire.opening)) {
+        double length = glm::length(line->to - line->from);
+        if (form.number({"luminaire.length", "Length", "m", "Length of the luminous line", 0.01, 100.0, 0.01, 3},
+                        length)) {
+            const Vec3 middle = 0.5 * (line->from + line->to);
+            const Vec3 half = 0.5 * length * glm::normalize(line->to - line->from);
+            *line = {middle - half, middle + half};
+            changed = true;
+        }
+    }
+    auto* area = std::get_if<PolygonOpening>(&luminaire.opening);
+    const std::optional<Vec2> half = area != nullptr ? rectangle_of(*area) : std::nullopt;
+    if (!half) return changed;
+    Vec2 size = 2.0 * *half;
+    changed |= form.number({"luminaire.width", "Width", "m", "Luminous opening along its own x", 0.01, 100.0, 0.01, 3},
+                           size.x);
+    changed |= form.number({"luminaire.depth", "Depth", "m", "Luminous opening along its own y", 0.01, 100.0, 0.01, 3},
+                           size.y);
+    for (Vec3& corner : area->region.outline) {
+        corner.x = std::copysign(0.5 * size.x, corner.x);
+        corner.y = std::copysign(0.5 * size.y, corner.y);
+    }
+    return changed;
+}
+
+bool output_rows(Luminaire& luminaire, Form& form) {
+    bool changed = false;
+    if (auto* flux = std::get_if<LuminousFlux>(&luminaire.output)) {
+        changed |=
+            form.number({"luminaire.flux", "Luminous flux", "lm", "Of the luminaire at full output", 0.0, 1e7, 10.0, 0},
+                        flux->value);
+    }
+    if (auto* luminance = std::get_if<Luminance>(&luminaire.output)) {
+        changed |= form.number(
+            {"luminaire.luminance", "Luminance", "cd/m²", "Of the opening at full output", 0.0, 1e9, 10.0, 0},
+            luminance->value);
+    }
+    if (auto* power = std::get_if<CosinePower>(&luminaire.distribution)) {
+        changed |= form.number(
+            {"luminaire.exponent", "Beam exponent", "",
+             "Intensity falls with this power of the cosine from the axis: 1 is wide, 50 a spot", 0.0, 1000.0, 0.1, 1},
+            power->exponent);
+    }
+    double percent = 100.0 * luminaire.dimming;
+    if (form.number({"luminaire.dimming", "Dimmer", "%", "Share of the full output", 0.0, 100.0, 0.5, 1}, percent)) {
+        luminaire.dimming = percent / 100.0;
+        changed = true;
+    }
+    return changed;
+}
+
+bool distribution_row(Luminaire& luminaire, Form& form) {
+    if (!std::holds_alternative<PointOpening>(luminaire.opening)) return false;
+    const std::array<std::string, 2> names{"Even all around", "Downward beam"};
+    int chosen = std::holds_alternative<CosinePower>(luminaire.distribution) ? 1 : 0;
+    if (std::holds_alternative<Measured>(luminaire.distribution)) return false;
+    if (!form.choice("luminaire.distribution", "Distribution", "How intensity depends on direction", names, chosen))
+        return false;
+    if (chosen == 1)
+        luminaire.distribution = CosinePower{2.0};
+    else
+        luminaire.distribution = Diffuse{};
+    return true;
+}
+
+void photometry_rows(const Photometry& photometry, Form& form) {
+    form.heading("Photometric file");
+    form.fact("Luminaire", photometry.name.empty() ? photometry.source_file : photometry.name);
+    form.fact("File", photometry.source_file);
+    form.fact("Format", photometry.format);
+    form.fact("Flux", fmt::format("{:.0f}", luminous_flux(photometry).value), "lm");
+    form.fact("Peak", fmt::format("{:.0f}", peak_intensity(photometry).value), "cd");
+    if (photometry.input_watts > 0.0) form.fact("Power", fmt::format("{:.1f}", photometry.input_watts), "W");
+    for (const std::string& text : photometry.warnings) form.remark(text, true);
+}
+
+const char* opening_name(const Opening& opening) {
+    constexpr std::array names{"Point", "Line", "Luminous area", "Luminous solid", "As its file says"};
+    return names[opening.index()];
+}
+
+}  // namespace
+
+std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form) {
+    const auto found = std::find_if(scene.luminaires.begin(), scene.luminaires.end(),
+                                    [&](const Luminaire& luminaire) { return luminaire.id == id; });
+    if (found == scene.luminaires.end()) return std::nullopt;
+    Luminaire luminaire = *found;
+    bool changed = form.text("luminaire.name", "Name", "What this luminaire is called", luminaire.name);
+    changed |= form.text("luminaire.group", "Group", "Luminaires of one group are dimmed together", luminaire.group);
+    form.heading("Light");
+    form.fact("Opening", opening_name(luminaire.opening));
+    changed |= opening_rows(luminaire, form);
+    changed |= distribution_row(luminaire, form);
+    changed |= output_rows(luminaire, form);
+    form.heading("Place");
+    changed |= place_rows("luminaire", luminaire.position, form);
+    form.heading("Direction");
+    changed |= angle_row(
+        {"luminaire.yaw", "Turn", "°", "About the vertical, counter-clockwise from above", -360.0, 360.0, 0.5, 1},
+        luminaire.yaw, form);
+    changed |= angle_row({"luminaire.tilt", "Tilt", "°", "Turns the light towards plane C0", -180.0, 180.0, 0.5, 1},
+                         luminaire.tilt, form);
+    changed |= angle_row({"luminaire.roll", "Roll", "°", "About the luminaire's own x axis", -180.0, 180.0, 0.5, 1},
+                         luminaire.roll, form);
+    changed |=
+        form.toggle("luminaire.opaque", "Hides things", "The opening hides what lies behind it", luminaire.opaque);
+    if (const Photometry* photometry = photometry_of(scene, luminaire)) photometry_rows(*photometry, form);
+    if (!changed) return std::nullopt;
+    Scene wished = scene;
+    const std::string group_before = found->group;
+    for (Luminaire& other : wished.luminaires) {
+        if (other.id == id) other = luminaire;
+        const bool dimmed_along =
+            !group_before.empty() && other.group == group_before && luminaire.dimming != found->dimming;
+        if (dimmed_along) other.dimming = luminaire.dimming;
+    }
+    return wished;
+}
+
+}  // namespace hanei

@@ -1,0 +1,41 @@
+#include "ui/panels/probe.h"
+
+#include "engine/study/study.h"
+#include "ui/panels/edit.h"
+#include "ui/view/pick.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace hanei {
+
+std::string short_figure(double value) {
+    const double size = std::abs(value);
+    if (size >= 99.95 || size == 0.0) return fmt::format("{:.0f}", value);
+    if (size >= 9.995) return fmt::format("{:.1f}", value);
+    if (size >= 0.995) return fmt::format("{:.2f}", value);
+    return fmt::format("{:.2g}", value);
+}
+
+std::string Probe::text() const {
+    if (value.inside_solid) return "inside · " + surface;
+    return fmt::format("{} lx ± {} · direct {} · interreflected {} · {}", short_figure(value.total().value),
+                       short_figure(value.error.total()), short_figure(value.direct.value),
+                       short_figure(value.interreflected.value), surface);
+}
+
+std::string surface_name(const Scene& scene, const SurfaceRef& surface) {
+    if (!scene.room || surface.object != scene.room->id) return display_name(scene, surface.object);
+    if (surface.face == Room::floor_face) return "Floor";
+    if (surface.face == Room::ceiling_face) return "Ceiling";
+    return fmt::format("Wall {}", surface.face - Room::wall_face(0) + 1);
+}
+
+std::optional<Probe> probe_at(const Solution& solution, const Ray& ray) {
+    if (!solution.mesh || !solution.display) return std::nullopt;
+    const std::optional<SurfaceHit> met = hit(solution, ray);
+    if (!met) return std::nullopt;
+    return Probe{met->place, value_at(solution, met->place, met->normal), surface_name(*solution.scene, met->surface)};
+}
+
+}  // namespace hanei

@@ -1,0 +1,29 @@
+/// The light under the mouse.
+#pragma once
+
+#include "engine/solution/solution.h"
+#include "ui/view/camera.h"
+
+#include <optional>
+#include <string>
+
+namespace hanei {
+
+struct Probe {
+    Vec3 position{0.0};
+    PointValue value;
+    std::string surface;  ///< "Floor", "Desk 3"
+
+    std::string text() const;  ///< "412 lx ± 3 · direct 300 · interreflected 112 · Floor"
+};
+
+/// What the room calls a face.
+std::string surface_name(const Scene& scene, const SurfaceRef& surface);
+
+/// Gathered at the place itself, with its error bar. Empty where the ray meets nothing.
+std::optional<Probe> probe_at(const Solution& solution, const Ray& ray);
+
+/// A figure with the digits its size deserves: 3 significant ones, none after the point from 100.
+std::string short_figure(double value);
+
+}  // namespace hanei

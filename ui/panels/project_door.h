@@ -1,0 +1,32 @@
+/// The window's way to the disk. Panels know no file formats: the program hands them these.
+#pragma once
+
+#include "engine/base/diagnostic.h"
+#include "engine/plan/settings.h"
+#include "engine/scene/scene.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+namespace hanei {
+
+/// What the window edits and saves.
+struct ProjectContent {
+    Scene scene;
+    Settings settings;
+};
+
+template <class Content>
+struct Opened {
+    std::optional<Content> content;  ///< empty when the file cannot be used
+    Diagnostics findings;
+};
+
+struct ProjectDoor {
+    std::function<Opened<ProjectContent>(const std::filesystem::path&)> open;
+    std::function<std::optional<Diagnostic>(const ProjectContent&, const std::filesystem::path&)> save;
+    std::function<Opened<Photometry>(const std::filesystem::path&)> read_luminaire;
+};
+
+}  // namespace hanei

@@ -1,0 +1,23 @@
+/// Rows that several property panels share.
+#pragma once
+
+#include "engine/scene/scene.h"
+#include "ui/panels/form.h"
+
+#include <string>
+
+namespace hanei {
+
+/// x, y and z of a place; `owner` is the first part of the fields' names.
+bool place_rows(const std::string& owner, Vec3& place, Form& form);
+
+/// An angle kept in radians and shown in degrees.
+bool angle_row(const NumberField& field, double& radians, Form& form);
+
+/// A share kept as 0 to 1 and shown in percent.
+bool percent_row(const NumberField& field, double& share, Form& form);
+
+/// The choice of one of the scene's materials.
+bool material_row(const char* name, const char* label, const Scene& scene, ObjectId& material, Form& form);
+
+}  // namespace hanei

@@ -1,0 +1,195 @@
+#include "ui/panels/viewport.h"
+
+#include "ui/panels/edit.h"
+#include "ui/panels/style.h"
+#include "ui/view/pick.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hanei {
+namespace {
+
+constexpr float click_slack = 4.0F;  // pixels a click may move and still be a click
+constexpr double turn_rate = 0.008;  // rad a pixel: half a turn over 400 pixels
+constexpr double zoom_a_notch = 1.15;
+constexpr LightPart four_parts[] = {LightPart::total, LightPart::direct, LightPart::unshadowed,
+                                    LightPart::interreflected};
+
+double reach_of(const Scene& scene) { return 4.0 * std::max(1.0, bounds_of(scene).diameter()); }
+
+float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+}  // namespace
+
+bool Viewport::Pane::holds(ImVec2 at) const {
+    return at.x >= left && at.x < left + width && at.y >= top && at.y < top + height;
+}
+
+Vec2 Viewport::Pane::within(ImVec2 at) const {
+    return {static_cast<double>((at.x - left) / width), static_cast<double>((at.y - top) / height)};
+}
+
+void Viewport::show_overview(const Scene& scene) { state.camera = overview(bounds_of(scene), aspect()); }
+void Viewport::show_plan(const Scene& scene) { state.camera = plan_view(bounds_of(scene), aspect()); }
+
+void Viewport::look_at(const Vec3& place) {
+    state.camera.eye += place - state.camera.target;
+    state.camera.target = place;
+}
+
+std::optional<ImVec2> Viewport::on_pane(const Pane& pane, const Vec3& place) const {
+    const std::optional<Vec2> at = projected(state.camera, place, aspect());
+    if (!at) return std::nullopt;
+    return ImVec2(pane.left + static_cast<float>(at->x) * pane.width,
+                  pane.top + static_cast<float>(at->y) * pane.height);
+}
+
+std::optional<ImVec2> Viewport::on_screen(const Vec3& place) const { return on_pane(pane_, place); }
+
+void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
+    const int count = state.four_up ? 4 : 1;
+    for (int k = 0; k < count; ++k) {
+        const Pane& pane = panes_[k];
+        ViewRequest request{k, input.scene, input.solution, state.camera, state.options, {}, {}, moving()};
+        request.size = {static_cast<int>(pane.width), static_cast<int>(pane.height)};
+        if (state.four_up) request.options.part = four_parts[k];
+        if (input.selected) request.highlights.selected.push_back(input.selected);
+        request.highlights.hovered = hovered_;
+        if (void* texture = paint(request)) {
+            ImGui::GetWindowDrawList()->AddImage(texture, {pane.left, pane.top},
+                                                 {pane.left + pane.width, pane.top + pane.height}, {0.0F, 1.0F},
+                                                 {1.0F, 0.0F});
+        }
+    }
+}
+
+Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, WidgetRegistry& widgets) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const Pane all{corner.x, corner.y, std::max(16.0F, std::floor(room.x)), std::max(16.0F, std::floor(room.y))};
+    const float gap = 2.0F;
+    const float width = state.four_up ? std::floor((all.width - gap) / 2.0F) : all.width;
+    const float height = state.four_up ? std::floor((all.height - gap) / 2.0F) : all.height;
+    for (int k = 0; k < 4; ++k) {
+        panes_[k] = {all.left + static_cast<float>(k % 2) * (width + gap),
+                     all.top + static_cast<float>(k / 2) * (height + gap), width, height};
+    }
+    pane_ = panes_[0];
+    ImGui::InvisibleButton(
+        "view", {all.width, all.height},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    widgets.note("view");
+    const bool hovered = ImGui::IsItemHovered();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!ImGui::IsItemActive() || ImGui::IsItemActivated()) {
+        active_pane_ = 0;
+        for (int k = 0; k < (state.four_up ? 4 : 1); ++k) {
+            if (panes_[k].holds(mouse)) active_pane_ = k;
+        }
+    }
+    const Pane pane = panes_[active_pane_];
+
+    Outcome outcome;
+    if (ImGui::IsItemActivated()) outcome = handle_press(input, pane);
+    if (drag_)
+        outcome = handle_drag(input, pane);
+    else
+        look_around(pane);
+    if (!drag_ && ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+        distance(mouse, pressed_at_) < click_slack) {
+        outcome.chosen = pick(*input.scene, state.camera, pane.within(mouse), aspect());
+        if (!*outcome.chosen && probe_ && input.scene->room) outcome.chosen = ObjectId{};
+    }
+    read_light(input, pane, hovered);
+    paint_panes(input, paint);
+    ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+    for (int k = 0; k < (state.four_up ? 4 : 1); ++k) {
+        const Pane& each = panes_[k];
+        draw_list.PushClipRect({each.left, each.top}, {each.left + each.width, each.top + each.height}, true);
+        draw_handles(input, each, widgets);
+        if (state.four_up) {
+            const std::string title(name_of(four_parts[k]));
+            draw_list.AddText(style::fonts().strong, ImGui::GetFontSize(), {each.left + 12.0F, each.top + 9.0F},
+                              style::text, title.c_str());
+        }
+        draw_list.PopClipRect();
+    }
+    draw_readout(input, all);
+    return outcome;
+}
+
+void Viewport::look_around(const Pane& pane) {
+    const ImGuiIO& io = ImGui::GetIO();
+    turning_ = false;
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) {
+        state.camera = zoomed(state.camera, std::pow(zoom_a_notch, static_cast<double>(io.MouseWheel)),
+                              pane.within(io.MousePos), aspect());
+    }
+    if (!ImGui::IsItemActive()) return;
+    const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left, click_slack);
+    const bool right = ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0.0F);
+    const bool middle = ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0F);
+    if (!left && !right && !middle) return;
+    turning_ = true;
+    const Vec2 by{static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)};
+    if (middle || io.KeyShift) {
+        state.camera = panned(state.camera, by / static_cast<double>(pane.height), aspect());
+    } else {
+        state.camera.orthographic = false;  // a plan that is turned becomes a view again
+        state.camera = orbited(state.camera, turn_rate * by);
+    }
+}
+
+Viewport::Outcome Viewport::handle_press(const Input& input, const Pane& pane) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    pressed_at_ = mouse;
+    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::GetIO().KeyShift) return {};
+    const std::optional<Vec3> place = place_of(*input.scene, input.selected);
+    if (!place) return {};
+    const std::optional<Axis> axis = handle_under(input, pane, mouse);
+    const bool on_object = pick(*input.scene, state.camera, pane.within(mouse), aspect()) == input.selected;
+    if (!axis && !on_object) return {};
+    const Ray ray = ray_through(state.camera, pane.within(mouse), aspect());
+    if (const auto gesture = DragGesture::begin(ray, *place, axis, reach_of(*input.scene))) {
+        drag_ = Drag{input.selected, *gesture, *place};
+    }
+    return {};
+}
+
+Viewport::Outcome Viewport::handle_drag(const Input& input, const Pane& pane) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Outcome outcome;
+    drag_->begun = drag_->begun || distance(io.MousePos, pressed_at_) >= click_slack;
+    const std::optional<Vec3> present = place_of(*input.scene, drag_->object);
+    if (drag_->begun && present) {
+        const double raster = io.KeyCtrl ? (input.raster > 0.0 ? 0.0 : 0.1) : input.raster;
+        const Ray ray = ray_through(state.camera, pane.within(io.MousePos), aspect());
+        drag_->last = drag_->gesture.place(ray, raster, drag_->last);
+        if (drag_->last != *present) outcome.moved = moved(*input.scene, drag_->object, drag_->last - *present);
+    }
+    if (!io.MouseDown[ImGuiMouseButton_Left] || !present) {
+        outcome.released = true;
+        drag_.reset();
+    }
+    return outcome;
+}
+
+void Viewport::read_light(const Input& input, const Pane& pane, bool hovered) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!hovered || moving() || !pane.holds(mouse)) {
+        hovered_ = {};
+        if (!moving()) probe_.reset();
+        probed_.at = {-1.0F, -1.0F};
+        return;
+    }
+    const bool same = probed_.at.x == mouse.x && probed_.at.y == mouse.y && probed_.camera == state.camera &&
+                      probed_.solution == input.solution && probed_.scene == input.scene;
+    if (same) return;
+    probed_ = {mouse, state.camera, input.solution, input.scene};
+    hovered_ = pick(*input.scene, state.camera, pane.within(mouse), aspect());
+    probe_.reset();
+    if (input.solution) probe_ = probe_at(*input.solution, ray_through(state.camera, pane.within(mouse), aspect()));
+}
+
+}  // namespace hanei

@@ -1,0 +1,99 @@
+/// The view of the room: looking around, choosing and moving things, reading the light.
+#pragma once
+
+#include "ui/panels/drag.h"
+#include "ui/panels/probe.h"
+#include "ui/panels/view_painter.h"
+#include "ui/panels/widget_registry.h"
+
+#include <imgui.h>
+#include <optional>
+#include <string>
+
+namespace hanei {
+
+/// What of the room is looked at, and how: kept by the window, not by the project.
+struct ViewState {
+    Camera camera;
+    ViewOptions options;
+    bool four_up = false;       ///< total, direct, unshadowed and interreflected at once
+    bool range_fitted = false;  ///< the colour range was set by the user or from a solution
+};
+
+/// Mouse: left chooses, and drags what is chosen; on the room it turns the view. Right turns,
+/// middle (or Shift) shifts, the wheel goes towards what is under it.
+class Viewport {
+public:
+    ViewState state;
+
+    struct Input {
+        SceneSnapshot scene;
+        SolutionSnapshot solution;
+        ObjectId selected;
+        double raster = 0.1;  ///< m; 0 is none
+        bool stale = false;
+    };
+    struct Outcome {
+        std::optional<ObjectId> chosen;  ///< clicked; the id of nothing beside everything
+        std::optional<Scene> moved;      ///< the scene with the dragged object where it is
+        bool released = false;           ///< the drag is over
+    };
+
+    /// Draws into the rest of the present ImGui window.
+    Outcome draw(const Input& input, const ViewPainter& paint, WidgetRegistry& widgets);
+
+    bool dragging() const { return drag_.has_value(); }
+    bool moving() const { return drag_.has_value() || turning_; }
+    const std::optional<Probe>& probe() const { return probe_; }
+
+    /// Where a place of the room is on the screen, in the (first) picture. Empty behind the eye.
+    std::optional<ImVec2> on_screen(const Vec3& place) const;
+
+    /// Picture width over height, as drawn last.
+    double aspect() const { return pane_.height > 0.0F ? static_cast<double>(pane_.width / pane_.height) : 1.5; }
+
+    void show_overview(const Scene& scene);
+    void show_plan(const Scene& scene);
+    void look_at(const Vec3& place);
+
+private:
+    struct Pane {
+        float left = 0.0F, top = 0.0F, width = 0.0F, height = 0.0F;
+        bool holds(ImVec2 at) const;
+        Vec2 within(ImVec2 at) const;  ///< 0 to 1 from its top left
+    };
+    struct Drag {
+        ObjectId object;
+        DragGesture gesture;
+        Vec3 last{0.0};
+        bool begun = false;  ///< the mouse went far enough to mean it
+    };
+
+    void paint_panes(const Input& input, const ViewPainter& paint);
+    void look_around(const Pane& pane);
+    Outcome handle_press(const Input& input, const Pane& pane);
+    Outcome handle_drag(const Input& input, const Pane& pane);
+    void read_light(const Input& input, const Pane& pane, bool hovered);
+    void draw_handles(const Input& input, const Pane& pane, WidgetRegistry& widgets);
+    void draw_readout(const Input& input, const Pane& all) const;
+    std::optional<Axis> handle_under(const Input& input, const Pane& pane, ImVec2 at) const;
+    std::optional<ImVec2> on_pane(const Pane& pane, const Vec3& place) const;
+    double handle_length(const Vec3& place) const;
+
+    Pane pane_;  ///< the first picture
+    Pane panes_[4];
+    int active_pane_ = 0;
+    std::optional<Drag> drag_;
+    bool turning_ = false;
+    ImVec2 pressed_at_{0.0F, 0.0F};
+    std::optional<Probe> probe_;
+    ObjectId hovered_;
+    struct ProbeKey {
+        ImVec2 at{-1.0F, -1.0F};
+        Camera camera;
+        SolutionSnapshot solution;
+        SceneSnapshot scene;
+    } probed_;
+};
+
+}  // namespace hanei

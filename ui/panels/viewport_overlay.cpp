@@ -1,0 +1,90 @@
+#include "ui/panels/edit.h"
+#include "ui/panels/style.h"
+#include "ui/panels/viewport.h"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace hanei {
+namespace {
+
+constexpr float grip_radius = 10.0F;   // pixels around a handle's tip that take hold of it
+constexpr double handle_share = 0.13;  // length of a handle, of the picture's height
+
+constexpr std::array axes{Axis::x, Axis::y, Axis::z};
+constexpr std::array axis_names{"handle.x", "handle.y", "handle.z"};
+constexpr std::array axis_colours{style::axis_x, style::axis_y, style::axis_z};
+
+void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float scale) {
+    const float length = std::hypot(to.x - from.x, to.y - from.y);
+    if (length < 6.0F * scale) return;  // seen end on
+    const ImVec2 along{(to.x - from.x) / length, (to.y - from.y) / length};
+    const ImVec2 neck{to.x - 11.0F * scale * along.x, to.y - 11.0F * scale * along.y};
+    const ImVec2 side{-5.0F * scale * along.y, 5.0F * scale * along.x};
+    const ImU32 shade = IM_COL32(0, 0, 0, 150);
+    list.AddLine(from, neck, shade, 4.5F * scale);
+    list.AddLine(from, neck, colour, 2.5F * scale);
+    list.AddTriangleFilled(to, {neck.x + side.x, neck.y + side.y}, {neck.x - side.x, neck.y - side.y}, colour);
+}
+
+}  // namespace
+
+double Viewport::handle_length(const Vec3& place) const {
+    return handle_share * picture_height_at(state.camera, place);
+}
+
+std::optional<Axis> Viewport::handle_under(const Input& input, const Pane& pane, ImVec2 at) const {
+    const std::optional<Vec3> place = place_of(*input.scene, input.selected);
+    if (!place) return std::nullopt;
+    for (const Axis axis : axes) {
+        const auto tip = on_pane(pane, *place + handle_length(*place) * direction_of(axis));
+        if (tip && std::hypot(tip->x - at.x, tip->y - at.y) < grip_radius * style::scale()) return axis;
+    }
+    return std::nullopt;
+}
+
+void Viewport::draw_handles(const Input& input, const Pane& pane, WidgetRegistry& widgets) {
+    const std::optional<Vec3> place = place_of(*input.scene, input.selected);
+    const std::optional<ImVec2> origin = place ? on_pane(pane, *place) : std::nullopt;
+    if (!origin) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float scale = style::scale();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const std::optional<Axis> under = drag_ ? drag_->gesture.axis : handle_under(input, pane, mouse);
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+        const auto tip = on_pane(pane, *place + handle_length(*place) * direction_of(axes[k]));
+        if (!tip || (drag_ && drag_->gesture.axis && drag_->gesture.axis != axes[k])) continue;
+        arrow(list, *origin, *tip, under == axes[k] ? style::accent : axis_colours[k], scale);
+        if (&pane != &panes_[0]) continue;
+        const float reach = 5.0F * scale;
+        widgets.note(axis_names[k], {tip->x - reach, tip->y - reach, tip->x + reach, tip->y + reach});
+    }
+    list.AddCircleFilled(*origin, 5.0F * scale, IM_COL32(0, 0, 0, 150));
+    list.AddCircleFilled(*origin, 3.5F * scale, style::accent);
+    if (!drag_ || !drag_->begun) return;
+    const Vec3 by = drag_->last - drag_->gesture.start;
+    const std::string text = drag_->gesture.axis == Axis::z ? fmt::format("z {:.2f} m  ({:+.2f})", drag_->last.z, by.z)
+                                                            : fmt::format("{:+.2f}  {:+.2f} m", by.x, by.y);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 at{origin->x - 0.5F * size.x, origin->y + 16.0F * scale};
+    list.AddRectFilled({at.x - 7.0F * scale, at.y - 3.0F * scale},
+                       {at.x + size.x + 7.0F * scale, at.y + size.y + 3.0F * scale}, IM_COL32(20, 22, 26, 225),
+                       4.0F * scale);
+    list.AddText(at, style::text, text.c_str());
+}
+
+void Viewport::draw_readout(const Input& input, const Pane& all) const {
+    if (!probe_ || drag_) return;
+    const float scale = style::scale();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string text = probe_->text() + (input.stale ? " · before the last change" : "");
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 at{all.left + 20.0F * scale, all.top + all.height - size.y - 17.0F * scale};
+    list.AddRectFilled({at.x - 9.0F * scale, at.y - 5.0F * scale},
+                       {at.x + size.x + 9.0F * scale, at.y + size.y + 6.0F * scale}, IM_COL32(20, 22, 26, 225),
+                       5.0F * scale);
+    list.AddText(at, input.stale ? style::quiet_text : style::text, text.c_str());
+}
+
+}  // namespace hanei
