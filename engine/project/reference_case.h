@@ -35,7 +35,7 @@ struct ReferenceFormFactor {
     ReferenceGrade top, pass;
 };
 
-/// The mean illuminance of a surface, by the object id of its FreeSurface.
+/// The mean illuminance of a surface, by the object id of its FreeSurface; id 0: of all surfaces together.
 struct ReferenceMean {
     ObjectId surface;
     std::string name;

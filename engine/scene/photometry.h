@@ -87,6 +87,7 @@ struct Photometry {
     std::optional<LampTilt> tilt;
     std::vector<std::pair<std::string, std::string>> keywords;  ///< in file order
     std::vector<std::string> warnings;                          ///< found while reading; shown with the luminaire
+    std::string unknown;  ///< fields of the project file this version does not know (UnknownFields, scene.h)
     bool operator==(const Photometry&) const = default;
 };
 

@@ -1,0 +1,53 @@
+#include "engine/project/json_text.h"
+#include "engine/project/project_reader.h"
+#include "engine/project/project_settings.h"
+
+namespace hanei {
+namespace {
+
+template <class T>
+std::string digits_of(T value) {
+    return one_line(json_number(static_cast<double>(value)));
+}
+
+template <class T>
+void take_option(Fields& fields, const Option<T>& option, Settings& settings) {
+    const std::string field = field_of(option);
+    T shown{};
+    if (!fields.optional(field, shown)) return;
+    if (!(shown >= option.low && shown <= option.high)) {
+        fields.error(field, "found " + digits_of(shown) + ", allowed are " + digits_of(option.low) + " to " +
+                                digits_of(option.high) + (option.unit.empty() ? "" : ' ' + std::string(option.unit)));
+    } else if (option.scale == 1.0) {
+        settings.*option.member = shown;
+    } else {
+        settings.*option.member = static_cast<T>(scaled(*fields.value().find(field), 1.0L / option.scale));
+    }
+}
+
+void take_method(Fields& fields, Settings& settings) {
+    std::string name;
+    if (!fields.optional("method", name)) return;
+    std::string known;
+    for (const Method method : {Method::paper, Method::patch}) {
+        if (name == name_of(method)) {
+            settings.method = method;
+            return;
+        }
+        known += (known.empty() ? "" : ", ") + json_quoted(name_of(method));
+    }
+    fields.error("method", "found " + json_quoted(name) + ", expected one of " + known);
+}
+
+}  // namespace
+
+void read_settings(Settings& settings, Fields& root, JsonValue& kept) {
+    const JsonValue* const value = root.take("settings");
+    if (value == nullptr) return;
+    Fields fields(root.reading(), *value, "settings");
+    take_method(fields, settings);
+    for_each_option([&](const auto& option) { take_option(fields, option, settings); });
+    keep_unknown(fields, "settings", kept);
+}
+
+}  // namespace hanei

@@ -1,0 +1,149 @@
+#include "engine/base/check.h"
+#include "engine/project/json_fields.h"
+#include "engine/project/project_reader.h"
+#include "engine/project/project_settings.h"
+#include "engine/project/project_writer.h"
+
+#include <cmath>
+
+namespace hanei {
+
+JsonValue References::of(ObjectId id) const {
+    const auto named = names_.find(id.value);
+    return named == names_.end() ? json_number(id.value) : json_text(named->second);
+}
+
+JsonValue json_of(double number) { return json_number(number); }
+JsonValue json_of(int number) { return json_number(number); }
+JsonValue json_of(const std::string& text) { return json_text(text); }
+
+JsonValue json_of(const Vec2& vector) {
+    JsonValue list = json_list();
+    list.items = {json_number(vector.x), json_number(vector.y)};
+    return list;
+}
+
+JsonValue json_of(const Vec3& vector) {
+    JsonValue list = json_list();
+    list.items = {json_number(vector.x), json_number(vector.y), json_number(vector.z)};
+    return list;
+}
+
+JsonValue json_object(ObjectId id, const std::string& name) {
+    JsonValue object = json_object();
+    object.add("id", json_number(id.value));
+    if (!name.empty()) object.add("name", json_text(name));
+    return object;
+}
+
+void add_region(JsonValue& object, const Region& region) {
+    object.add("outline", json_of(region.outline));
+    if (!region.holes.empty()) object.add("holes", json_of(region.holes));
+}
+
+void add_angle(JsonValue& object, std::string_view key, double angle) {
+    if (angle != 0.0 || std::signbit(angle)) object.add(std::string(key), json_scaled(angle, degree));
+}
+
+namespace {
+
+void merge(JsonValue& object, JsonValue extra) {
+    for (std::size_t i = 0; i < extra.items.size(); ++i) {
+        const std::string& key = extra.keys[i];
+        std::size_t at = 0;
+        while (at < object.keys.size() && object.keys[at] != key) ++at;
+        if (at == object.keys.size())
+            object.add(key, std::move(extra.items[i]));
+        else if (object.items[at].is(JsonValue::Kind::object) && extra.items[i].is(JsonValue::Kind::object))
+            merge(object.items[at], std::move(extra.items[i]));
+    }
+}
+
+template <class Objects, class... Context>
+void add_objects(JsonValue& root, std::string_view key, const Objects& objects, const Context&... context) {
+    if (objects.empty()) return;
+    JsonValue& list = root.add(std::string(key), json_list());
+    for (const auto& object : objects) list.items.push_back(json_of(object, context...));
+}
+
+}  // namespace
+
+void add_unknown(JsonValue& object, const UnknownFields& unknown) {
+    if (unknown.empty()) return;
+    Diagnostics findings;
+    std::optional<JsonValue> extra = parse_json(unknown, {}, findings);
+    HANEI_CHECK(extra.has_value() && extra->is(JsonValue::Kind::object));
+    merge(object, std::move(*extra));
+}
+
+JsonValue json_of(const Material& material) {
+    JsonValue object = json_object(material.id, {});
+    object.add("name", json_text(material.name));
+    object.add("reflectance", json_number(material.reflectance));
+    add_unknown(object, material.unknown);
+    return object;
+}
+
+JsonValue json_of(const CalculationGrid& grid) {
+    JsonValue object = json_object(grid.id, grid.name);
+    object.add("corner", json_of(grid.corner));
+    object.add("along", json_of(grid.along));
+    object.add("across", json_of(grid.across));
+    object.add("spacing", json_number(grid.spacing));
+    add_unknown(object, grid.unknown);
+    return object;
+}
+
+JsonValue json_of(const CalculationPoint& point) {
+    JsonValue object = json_object(point.id, point.name);
+    object.add("position", json_of(point.position));
+    object.add("normal", json_of(point.normal));
+    add_unknown(object, point.unknown);
+    return object;
+}
+
+JsonValue json_of(const View& view) {
+    JsonValue object = json_object(view.id, view.name);
+    object.add("eye", json_of(view.eye));
+    object.add("target", json_of(view.target));
+    object.add("field_of_view_deg", json_scaled(view.field_of_view, degree));
+    if (view.orthographic) object.add("orthographic", json_boolean(true));
+    add_unknown(object, view.unknown);
+    return object;
+}
+
+JsonValue json_of(const Settings& settings) {
+    JsonValue object = json_object();
+    object.add("method", json_text(std::string(name_of(settings.method))));
+    for_each_option([&](const auto& option) {
+        const double value = settings.*option.member;
+        object.add(field_of(option),
+                   option.scale == 1.0 ? json_number(value) : json_scaled(value, 1.0L / option.scale));
+    });
+    return object;
+}
+
+JsonValue json_of(const Project& project) {
+    const Scene& scene = project.scene;
+    const References materials(scene.materials);
+    JsonValue root = json_object();
+    root.add("format", json_text("hanei-project"));
+    root.add("version", json_number(project_version));
+    if (!scene.title.empty()) root.add("title", json_text(scene.title));
+    root.add("maintenance_factor", json_number(scene.maintenance_factor));
+    root.add("settings", json_of(project.settings));
+    add_objects(root, "materials", scene.materials);
+    if (scene.room.has_value()) root.add("room", json_of(*scene.room, materials));
+    add_objects(root, "furniture", scene.furniture, materials);
+    add_objects(root, "surfaces", scene.surfaces, materials);
+    add_objects(root, "luminaires", scene.luminaires, References(scene.photometries));
+    add_objects(root, "grids", scene.grids);
+    add_objects(root, "points", scene.points);
+    add_objects(root, "views", scene.views);
+    add_objects(root, "photometries", scene.photometries);
+    root.add("last_id", json_number(scene.last_id));
+    add_unknown(root, scene.unknown);
+    return root;
+}
+
+}  // namespace hanei

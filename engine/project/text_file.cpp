@@ -1,0 +1,66 @@
+#include "engine/project/text_file.h"
+
+#include <fstream>
+#include <system_error>
+
+namespace hanei {
+namespace {
+
+constexpr std::uintmax_t most_bytes = 64U * 1024U * 1024U;
+
+Diagnostic fault(const std::filesystem::path& file, const std::string& message) {
+    return {Severity::error, {file.string(), 0, "", 0}, message};
+}
+
+/// Why the file cannot be read, or nothing.
+std::string refusal(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) return "there is no such file";
+    if (std::filesystem::is_directory(status)) return "this is a folder, expected a file";
+    if (!std::filesystem::is_regular_file(status)) return "this is no ordinary file";
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error) return "the file's size cannot be found: " + error.message();
+    if (size > most_bytes)
+        return "the file has " + std::to_string(size / (1024U * 1024U)) + " MB, at most 64 MB can be read";
+    return {};
+}
+
+}  // namespace
+
+std::optional<std::string> read_text_file(const std::filesystem::path& file, Diagnostics& findings) {
+    const std::string reason = refusal(file);
+    if (!reason.empty()) {
+        findings.push_back(fault(file, reason));
+        return std::nullopt;
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (!stream.is_open() || stream.bad()) {
+        findings.push_back(fault(file, "the file cannot be read; are you allowed to?"));
+        return std::nullopt;
+    }
+    return text;
+}
+
+std::optional<Diagnostic> write_text_file(const std::filesystem::path& file, std::string_view text) {
+    std::filesystem::path part = file;
+    part += ".part";
+    std::error_code error;
+    {
+        std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+        stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+        stream.close();
+        if (!stream) {
+            std::filesystem::remove(part, error);
+            return fault(file, "the file cannot be written; is the folder there, is it writable, is the disk full?");
+        }
+    }
+    std::filesystem::rename(part, file, error);
+    if (!error) return std::nullopt;
+    const std::string reason = error.message();
+    std::filesystem::remove(part, error);
+    return fault(file, "the file cannot be replaced: " + reason);
+}
+
+}  // namespace hanei
