@@ -20,7 +20,9 @@ struct Receiver {
 /// Form factor from the receiver to a polygon of any simple shape, unobstructed. With M the
 /// luminous exitance of a diffuse polygon, M times this is the illuminance it gives.
 ///
-///     F = 1/(2 pi) sum over edges  gamma_k  n . (a_k x b_k) / |a_k x b_k|
+///     F = 1/(2 pi) sum over edges  gamma_k  n . (b_k x a_k) / |b_k x a_k|
+///
+/// with a_k, b_k the ends of edge k seen from the point and gamma_k the angle between them.
 ///
 /// One-sided: the front of the polygon (counter-clockwise side) shines. Clipped at the receiver's
 /// horizon. Holes are given as clockwise loops and add (negatively).

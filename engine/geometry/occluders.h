@@ -2,6 +2,8 @@
 #pragma once
 
 #include "engine/base/vector.h"
+#include "engine/geometry/body_shape.h"
+#include "engine/geometry/body_tree.h"
 
 #include <cstdint>
 #include <span>
@@ -44,9 +46,16 @@ public:
     /// The first body that strictly contains the place; -1 when none.
     int containing(const Vec3& place) const;
 
+    const BodyShape& shape(BodyIndex body) const { return shapes_[body]; }
+
+    /// Distance under which two places are one: tolerance::same_place of all bodies' extent.
+    double same_place() const { return same_place_; }
+
 private:
     std::vector<ConvexBody> bodies_;
-    // the implementation adds its derived data here
+    std::vector<BodyShape> shapes_;
+    BodyTree tree_;
+    double same_place_ = 0.0;
 };
 
 }  // namespace hanei

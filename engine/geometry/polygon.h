@@ -14,8 +14,8 @@ Vec3 vector_area(const Region& region);
 
 /// Unit normal of the front; zero vector when the polygon has no area (tolerance::no_area).
 Vec3 unit_normal(std::span<const Vec3> polygon);
-Vec3 centroid(std::span<const Vec3> polygon);  ///< of the area; mean of the points when there is none
-double diameter(std::span<const Vec3> points);  ///< diagonal of the axis-aligned bounds
+Vec3 centroid(std::span<const Vec3> polygon);               ///< of the area; mean of the points when there is none
+double diameter(std::span<const Vec3> points);              ///< diagonal of the axis-aligned bounds
 double distance_from_plane(std::span<const Vec3> polygon);  ///< farthest vertex from the mean plane
 bool is_convex(std::span<const Vec3> polygon, const Vec3& normal);
 bool is_simple(std::span<const Vec2> polygon);  ///< no two edges touch but neighbours at their shared point

@@ -1,0 +1,110 @@
+#include "engine/geometry/occluders.h"
+
+#include "engine/base/tolerance.h"
+#include "engine/geometry/pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hanei {
+
+namespace {
+
+double rounding_of_places(const std::vector<ConvexBody>& bodies) {
+    Box all;
+    double farthest = 0.0;
+    bool first = true;
+    for (const ConvexBody& body : bodies) {
+        for (const Vec3& vertex : body.vertices) {
+            if (first) all = {vertex, vertex};
+            first = false;
+            all.include(vertex);
+            farthest = std::max({farthest, std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
+        }
+    }
+    return tolerance::same_place * glm::length(all.high - all.low) +
+           16.0 * std::numeric_limits<double>::epsilon() * farthest;
+}
+
+/// True when the open sight line from + t along (0 < t < 1) runs deeper than `depth` through a solid.
+bool solid_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, double depth) {
+    double enters = 0.0, leaves = 1.0;
+    for (const BodyFace& face : shape.faces) {
+        const double start = face.height(from);
+        const double change = glm::dot(along, face.normal);
+        if (start >= -depth && start + change >= -depth) return false;
+        if (change < 0.0) enters = std::max(enters, -start / change);
+        if (change > 0.0) leaves = std::min(leaves, -start / change);
+    }
+    if (!(enters < leaves) || shape.faces.empty()) return false;
+    const Vec3 middle = from + (0.5 * (enters + leaves)) * along;
+    return std::ranges::all_of(shape.faces, [&](const BodyFace& face) { return face.height(middle) < -depth; });
+}
+
+bool flat_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, double depth) {
+    const BodyFace& face = shape.faces[0];
+    const double start = face.height(from);
+    const double end = start + glm::dot(along, face.normal);
+    const bool through = (start > depth && end < -depth) || (start < -depth && end > depth);
+    if (!through) return false;
+    const Vec3 crossing = from + (start / (start - end)) * along;
+    return std::ranges::all_of(shape.edges, [&](const BodyEdge& edge) {
+        const Vec3 run = edge.to - edge.from;
+        const double inward = glm::dot(glm::cross(face.normal, run), crossing - edge.from);
+        return inward > depth * glm::length(run);
+    });
+}
+
+bool body_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, double depth) {
+    if (shape.faces.empty()) return false;
+    return shape.flat ? flat_blocks(shape, from, along, depth) : solid_blocks(shape, from, along, depth);
+}
+
+}  // namespace
+
+OccluderSet::OccluderSet(std::vector<ConvexBody> bodies) : bodies_(std::move(bodies)) {
+    same_place_ = rounding_of_places(bodies_);
+    shapes_.reserve(bodies_.size());
+    std::vector<Box> boxes;
+    boxes.reserve(bodies_.size());
+    for (const ConvexBody& body : bodies_) boxes.push_back(shapes_.emplace_back(body, same_place_).box);
+    tree_ = BodyTree(boxes);
+}
+
+void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::vector<BodyIndex>& found) const {
+    if (points.empty() || bodies_.empty()) return;
+    const Pyramid pyramid(eye, points, same_place_);
+    const auto start = static_cast<std::ptrdiff_t>(found.size());
+    tree_.visit([&](const Box& box) { return pyramid.may_touch(box); }, [&](BodyIndex body) { found.push_back(body); });
+    std::sort(found.begin() + start, found.end());
+}
+
+bool OccluderSet::blocks(const Vec3& from, const Vec3& to) const {
+    thread_local std::vector<BodyIndex> candidates;
+    candidates.clear();
+    between(from, std::span(&to, 1), candidates);
+    return blocks(from, to, candidates);
+}
+
+bool OccluderSet::blocks(const Vec3& from, const Vec3& to, std::span<const BodyIndex> candidates) const {
+    return std::ranges::any_of(
+        candidates, [&](BodyIndex body) { return body_blocks(shapes_[body], from, to - from, same_place_); });
+}
+
+int OccluderSet::containing(const Vec3& place) const {
+    int first = -1;
+    const auto holds = [&](const Box& box) {
+        return glm::all(glm::lessThanEqual(box.low, place)) && glm::all(glm::greaterThanEqual(box.high, place));
+    };
+    tree_.visit(holds, [&](BodyIndex body) {
+        const BodyShape& shape = shapes_[body];
+        if (shape.flat || shape.faces.empty()) return;
+        const bool inside =
+            std::ranges::all_of(shape.faces, [&](const BodyFace& face) { return face.height(place) < -same_place_; });
+        if (inside && (first < 0 || static_cast<int>(body) < first)) first = static_cast<int>(body);
+    });
+    return first;
+}
+
+}  // namespace hanei

@@ -1,0 +1,57 @@
+#include "engine/geometry/pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hanei {
+
+Pyramid::Pyramid(const Vec3& eye, std::span<const Vec3> points, double margin)
+    : eye_(eye), bounds_{eye, eye}, margin_(margin) {
+    for (const Vec3& point : points) bounds_.include(point);
+    bounds_.low -= Vec3{margin};
+    bounds_.high += Vec3{margin};
+    if (points.size() == 1) {
+        const Vec3 along = points[0] - eye;
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 unit{0.0};
+            unit[axis] = 1.0;
+            add_axis(glm::cross(along, unit), points);
+        }
+        return;
+    }
+    for (std::size_t k = 0; k < points.size() && count_ + 1 < axes_.size(); ++k) {
+        add_axis(glm::cross(points[k] - eye, points[(k + 1) % points.size()] - eye), points);
+        if (points.size() == 2) break;
+    }
+    if (points.size() > 2) add_axis(glm::cross(points[1] - points[0], points[2] - points[0]), points);
+}
+
+void Pyramid::add_axis(const Vec3& direction, std::span<const Vec3> points) {
+    const double length = glm::length(direction);
+    if (length == 0.0) return;
+    Axis& axis = axes_[count_++];
+    axis = {direction / length, 0.0, 0.0};
+    for (const Vec3& point : points) {
+        const double along = glm::dot(axis.direction, point - eye_);
+        axis.low = std::min(axis.low, along);
+        axis.high = std::max(axis.high, along);
+    }
+    axis.low -= margin_;
+    axis.high += margin_;
+}
+
+bool Pyramid::may_touch(const Box& box) const {
+    if (box.low.x > bounds_.high.x || box.low.y > bounds_.high.y || box.low.z > bounds_.high.z) return false;
+    if (box.high.x < bounds_.low.x || box.high.y < bounds_.low.y || box.high.z < bounds_.low.z) return false;
+    const Vec3 centre = box.centre() - eye_;
+    const Vec3 half = box.half_size();
+    for (std::size_t k = 0; k < count_; ++k) {
+        const Axis& axis = axes_[k];
+        const double at = glm::dot(axis.direction, centre);
+        const double reach = glm::dot(glm::abs(axis.direction), half);
+        if (at - reach > axis.high || at + reach < axis.low) return false;
+    }
+    return true;
+}
+
+}  // namespace hanei

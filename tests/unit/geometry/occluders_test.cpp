@@ -1,0 +1,102 @@
+#include "engine/geometry/occluders.h"
+
+#include "tests/unit/geometry/shapes.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace hanei {
+namespace {
+
+using testing::box_body;
+using testing::Dice;
+using testing::facing_up;
+using testing::sheet;
+
+TEST(Occluders, a_box_blocks_lines_through_it_and_no_line_along_it) {
+    const OccluderSet set({box_body({0, 0, 0}, {1, 1, 1})});
+    EXPECT_TRUE(set.blocks({-1, 0.5, 0.5}, {2, 0.5, 0.5}));
+    EXPECT_FALSE(set.blocks({-1, 0.5, 1}, {2, 0.5, 1}));      // along the top
+    EXPECT_FALSE(set.blocks({-1, 0, 1}, {2, 0, 1}));          // along an edge
+    EXPECT_FALSE(set.blocks({-1, 0.5, 0.5}, {0, 0.5, 0.5}));  // ends on it
+    EXPECT_FALSE(set.blocks({1, 0.5, 0.5}, {2, 0.5, 0.5}));   // starts on it
+    EXPECT_FALSE(set.blocks({-1, 0.5, 0.5}, {-0.1, 0.5, 0.5}));
+    EXPECT_TRUE(set.blocks({0, 0.5, 0.5}, {2, 0.5, 0.5}));    // from its skin through its body
+    EXPECT_TRUE(set.blocks({0.5, 0.5, 0.5}, {2, 0.5, 0.5}));  // from within
+}
+
+TEST(Occluders, a_sheet_blocks_lines_through_it_from_both_sides) {
+    const OccluderSet set({sheet(facing_up(0, 0, 1, 1, 1))});
+    EXPECT_TRUE(set.blocks({0.5, 0.5, 0}, {0.5, 0.5, 2}));
+    EXPECT_TRUE(set.blocks({0.5, 0.5, 2}, {0.5, 0.5, 0}));
+    EXPECT_FALSE(set.blocks({0.5, 0.5, 0}, {0.5, 0.5, 1}));  // ends on it
+    EXPECT_FALSE(set.blocks({-1, 0.5, 1}, {2, 0.5, 1}));     // within its plane
+    EXPECT_FALSE(set.blocks({1, 0.5, 0}, {1, 0.5, 2}));      // touches its edge
+    EXPECT_FALSE(set.blocks({1.5, 0.5, 0}, {1.5, 0.5, 2}));
+}
+
+TEST(Occluders, a_body_wound_the_wrong_way_round_blocks_all_the_same) {
+    ConvexBody box = box_body({0, 0, 0}, {1, 1, 1});
+    for (auto& face : box.faces) std::ranges::reverse(face);
+    const OccluderSet set({box});
+    EXPECT_TRUE(set.blocks({-1, 0.5, 0.5}, {2, 0.5, 0.5}));
+    EXPECT_FALSE(set.blocks({-1, 1.5, 0.5}, {2, 1.5, 0.5}));
+}
+
+TEST(Occluders, a_solid_without_thickness_is_a_sheet) {
+    const OccluderSet set({box_body({0, 0, 1}, {1, 1, 1})});
+    EXPECT_TRUE(set.shape(0).flat);
+    EXPECT_TRUE(set.blocks({0.5, 0.5, 0}, {0.5, 0.5, 2}));
+    EXPECT_EQ(set.containing({0.5, 0.5, 1}), -1);
+}
+
+TEST(Occluders, a_tenth_of_a_millimetre_of_wall_is_tight) {
+    const OccluderSet set({box_body({0, -5, 0}, {1e-4, 5, 3})});
+    Dice dice(1);
+    for (int k = 0; k < 10'000; ++k) {
+        const Vec3 left{dice.uniform(-4, -1e-6), dice.uniform(-4, 4), dice.uniform(0.1, 2.9)};
+        const Vec3 right{dice.uniform(2e-4, 4), dice.uniform(-4, 4), dice.uniform(0.1, 2.9)};
+        ASSERT_TRUE(set.blocks(left, right));
+    }
+}
+
+TEST(Occluders, places_inside_are_found_and_places_on_the_skin_are_not) {
+    const OccluderSet set({box_body({0, 0, 0}, {1, 1, 1}), box_body({0.5, 0, 0}, {2, 1, 1})});
+    EXPECT_EQ(set.containing({0.7, 0.5, 0.5}), 0);
+    EXPECT_EQ(set.containing({1.5, 0.5, 0.5}), 1);
+    EXPECT_EQ(set.containing({1.5, 0.5, 1}), -1);
+    EXPECT_EQ(set.containing({3, 0.5, 0.5}), -1);
+}
+
+TEST(Occluders, an_empty_set_blocks_nothing) {
+    const OccluderSet set;
+    std::vector<BodyIndex> found;
+    set.between({0, 0, 0}, std::vector<Vec3>{{1, 1, 1}}, found);
+    EXPECT_TRUE(found.empty() && set.empty());
+    EXPECT_FALSE(set.blocks({0, 0, 0}, {1, 1, 1}));
+    EXPECT_EQ(set.containing({0, 0, 0}), -1);
+}
+
+TEST(Occluders, no_body_on_a_sight_line_is_missed_among_thousands) {
+    Dice dice(6);
+    std::vector<ConvexBody> bodies;
+    for (int k = 0; k < 3000; ++k) {
+        const Vec3 low = dice.place(10);
+        bodies.push_back(box_body(low, low + Vec3{dice.uniform(0.05, 0.6), dice.uniform(0.05, 0.6), 0.4}));
+    }
+    const OccluderSet set(std::move(bodies));
+    std::vector<BodyIndex> everything(set.bodies().size());
+    for (std::size_t k = 0; k < everything.size(); ++k) everything[k] = static_cast<BodyIndex>(k);
+    int blocked = 0;
+    for (int k = 0; k < 1000; ++k) {
+        const Vec3 from = dice.place(10), to = dice.place(10);
+        const bool truth = set.blocks(from, to, everything);
+        EXPECT_EQ(set.blocks(from, to), truth);
+        blocked += truth;
+    }
+    EXPECT_GT(blocked, 300);
+    EXPECT_LT(blocked, 990);
+}
+
+}  // namespace
+}  // namespace hanei
