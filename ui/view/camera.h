@@ -5,6 +5,7 @@
 #include "engine/scene/faces.h"
 
 #include <optional>
+#include <string>
 
 namespace hanei {
 
@@ -12,7 +13,7 @@ struct Camera {
     Vec3 eye{0.0};
     Vec3 target{0.0};
     double field_of_view = 0.9;  ///< rad, vertical
-    bool orthographic = false;
+    bool orthographic = false;   ///< then the picture is as high as the field of view at the target
     bool operator==(const Camera&) const = default;
 };
 
@@ -21,10 +22,20 @@ struct Ray {
     Vec3 direction{0.0, 0.0, -1.0};  ///< unit
 };
 
+/// The camera's own axes: a right-handed frame with `back` = right x up.
+struct CameraAxes {
+    Vec3 right{1.0, 0.0, 0.0};
+    Vec3 up{0.0, 1.0, 0.0};
+    Vec3 forward{0.0, 0.0, -1.0};
+};
+/// Up leans towards +z; looking straight up or down it is +y, so that plans have north at the top.
+CameraAxes axes_of(const Camera& camera);
+
 Camera camera_of(const View& view);
 View view_of(const Camera& camera, std::string name);
 
-/// A three-quarter view from above that shows all of the bounds: what a room opens with.
+/// A three-quarter view from above that shows all of the bounds with a small margin, the longer
+/// side of the plan across the picture: what a room opens with.
 Camera overview(const Bounds& bounds, double aspect);
 /// Straight down, orthographic, north (y) up.
 Camera plan_view(const Bounds& bounds, double aspect);
@@ -33,9 +44,14 @@ Camera plan_view(const Bounds& bounds, double aspect);
 Ray ray_through(const Camera& camera, Vec2 at, double aspect);
 std::optional<Vec2> projected(const Camera& camera, const Vec3& place, double aspect);  ///< empty behind the eye
 
-Camera orbited(const Camera& camera, Vec2 by);                        ///< rad, about the target; never over the pole
-Camera panned(const Camera& camera, Vec2 by, double aspect);          ///< in picture heights
-Camera zoomed(const Camera& camera, double factor, Vec2 at, double aspect);  ///< towards what is under `at`
+/// Metres that one picture height covers at a place (its distance along the line of sight).
+double picture_height_at(const Camera& camera, const Vec3& place);
+
+/// `by` is how far the pointer went, right and down: what lies near follows it.
+Camera orbited(const Camera& camera, Vec2 by);                 ///< rad, about the target; never over the pole
+Camera panned(const Camera& camera, Vec2 by, double aspect);  ///< in picture heights
+/// Things grow by `factor` (above 1: closer). What is under `at`, at the target's depth, stays there.
+Camera zoomed(const Camera& camera, double factor, Vec2 at, double aspect);
 
 /// Clip-space matrices for the renderer, near and far fitted to the bounds.
 glm::dmat4 view_projection(const Camera& camera, double aspect, const Bounds& bounds);

@@ -15,10 +15,14 @@ public:
     /// reasons when neither way works.
     OffscreenContext();
     ~OffscreenContext();
+    OffscreenContext(const OffscreenContext&) = delete;
+    OffscreenContext& operator=(const OffscreenContext&) = delete;
+
     const std::string& description() const;  ///< "EGL surfaceless, llvmpipe ..."
 
-private:
     struct Handles;
+
+private:
     std::unique_ptr<Handles> handles_;
 };
 
@@ -31,10 +35,17 @@ struct PictureRequest {
     bool annotated = true;
     std::string caption;  ///< empty: title, part, settings and error of the solution
 };
-/// Needs     a current context (offscreen or window).
+
+/// Part of the picture that shows the room; the rest is legend and caption. Fit cameras to its
+/// aspect.
+PixelSize view_size(const PictureRequest& request);
+
+/// Exactly request.size, whatever is annotated.
+/// Needs     a current context (offscreen or window); the framebuffer that is bound stays bound.
 Image render_picture(SolutionSnapshot solution, const PictureRequest& request);
 
 /// Total, direct, unshadowed and interreflected side by side, one scale (the paper's Fig. 4e).
+/// A part that the solution does not hold is said to be missing, never drawn as zero.
 Image render_four_up(SolutionSnapshot solution, const PictureRequest& request);
 
 }  // namespace hanei

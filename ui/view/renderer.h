@@ -2,22 +2,20 @@
 ///
 /// Cells are interpolated bilinearly in the fragment shader from their four corner values (the
 /// paper's equation 6), so that no diagonal shows. Faces are seen from their lit side only: a room
-/// looked at from outside opens like a doll's house.
+/// looked at from outside opens like a doll's house. Before there is a solution, faces are plain
+/// greys by their reflectance. Photos show luminance (reflectance x illuminance / pi) through a
+/// shoulder, exposed for the room's mean; calculation points are left out of them.
 #pragma once
 
 #include "engine/solution/solution.h"
 #include "ui/view/camera.h"
+#include "ui/view/picture_size.h"
 #include "ui/view/view_options.h"
 
 #include <memory>
 #include <vector>
 
 namespace hanei {
-
-struct PixelSize {
-    int width = 0, height = 0;
-    bool operator==(const PixelSize&) const = default;
-};
 
 /// What is drawn over the room in the window; nothing of it in exported pictures.
 struct Highlights {
@@ -30,16 +28,20 @@ struct Highlights {
     std::vector<Line> lines;  ///< handles, guides
 };
 
-/// Needs     a current GL 3.3 core context whose functions were loaded, the same for every call.
+/// Needs     a current GL 3.3 core context whose functions were loaded (gladLoadGL), the same for
+///           every call and for the destructor.
 class Renderer {
 public:
     Renderer();
     ~Renderer();
 
     void set_scene(SceneSnapshot scene);           ///< geometry that shows before any solution
-    void set_solution(SolutionSnapshot solution);  ///< may be of an older scene: drawn as it was
+    /// May be of an older scene: its light is drawn as it was, under the present scene's edges and
+    /// luminaires. Null, or without a display mesh: plain faces.
+    void set_solution(SolutionSnapshot solution);
 
-    /// Draws into the framebuffer that is bound, over its whole `size`.
+    /// Draws into the framebuffer that is bound, over its whole `size`, background included. Leaves
+    /// depth test, culling and blending off, no program and no vertex array bound.
     void draw(const Camera& camera, const ViewOptions& options, const Highlights& highlights, PixelSize size);
 
 private:

@@ -13,8 +13,15 @@ enum class LightPart { total, direct, interreflected, unshadowed };
 enum class Scale { false_colour, photo };
 enum class ColourSteps { logarithmic, linear, standard_steps };  ///< EN 12464-1 scale of illuminance
 
-std::string_view name_of(LightPart part);
-std::string_view name_of(Scale scale);
+std::string_view name_of(LightPart part);     ///< "total", ... as the command line says it
+std::string_view name_of(Scale scale);        ///< "false-colour", "photo"
+std::string_view name_of(ColourSteps steps);  ///< "logarithmic", "linear", "EN 12464-1 steps"
+
+/// The part of the light at a vertex of the picture, lx.
+float value_of(const DisplayVertex& vertex, LightPart part);
+
+/// Whether the solution holds this part: `unshadowed` is computed on request only.
+bool has_part(const Solution& solution, LightPart part);
 
 /// Range of the colour scale, lx. One range a project, not one a picture, so that pictures compare.
 struct LuxRange {
@@ -22,7 +29,9 @@ struct LuxRange {
     double high = 1000.0;
     bool operator==(const LuxRange&) const = default;
 };
-/// Rounded to the EN steps around what the surfaces of the solution show (1st to 99th percentile).
+/// Rounded to the EN steps around what the surfaces of the solution show (1st to 99th percentile of
+/// their area); never wider than 1 to 200, so that a black ceiling does not take the colours away
+/// from the desks.
 LuxRange suggested_range(const Solution& solution);
 
 struct ViewOptions {
@@ -30,7 +39,7 @@ struct ViewOptions {
     Scale scale = Scale::false_colour;
     ColourSteps steps = ColourSteps::logarithmic;
     LuxRange range;
-    bool isolux = true;         ///< lines of equal illuminance with labels
+    bool isolux = true;         ///< lines of equal illuminance with labels (false colour only)
     bool mesh_lines = false;
     bool grids = true;          ///< calculation points
     bool luminaires = true;
@@ -38,7 +47,8 @@ struct ViewOptions {
     bool operator==(const ViewOptions&) const = default;
 };
 
-/// Steps of the illuminance scale within the range (EN 12464-1: 20 30 50 75 100 150 ... lx).
+/// Steps of the illuminance scale within the range, both ends included where they are steps
+/// (EN 12464-1: 20 30 50 75 100 150 ... lx, continued alike into other decades).
 std::vector<double> standard_steps(const LuxRange& range);
 
 }  // namespace hanei

@@ -1,0 +1,64 @@
+#include "ui/view/isolux_labels.h"
+#include "ui/view/legend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hanei {
+namespace {
+
+std::string lux(double value) { return fmt::format("{:.2g} lx", value); }
+
+/// The greatest error bar of what is reported, by its parts.
+ErrorBar greatest_error(const Solution& solution) {
+    ErrorBar greatest;
+    const auto take = [&](const PointValue& value) {
+        if (!value.inside_solid && value.error.total() > greatest.total()) greatest = value.error;
+    };
+    for (const PointResult& point : solution.points) take(point.value);
+    for (const GridResult& grid : solution.grids) {
+        for (const PointResult& point : grid.points) take(point.value);
+    }
+    return greatest;
+}
+
+bool reports_points(const Solution& solution) {
+    return !solution.points.empty() ||
+           std::any_of(solution.grids.begin(), solution.grids.end(), [](const GridResult& g) { return !g.points.empty(); });
+}
+
+std::string error_text(const Solution& solution) {
+    std::string text = fmt::format("iteration ≤ {}", lux(solution.iteration_bound));
+    if (reports_points(solution)) text += fmt::format(", points ± {} at most", lux(greatest_error(solution).total()));
+    const double skipped = solution.plan.effects.empty() ? 0.0 : solution.plan.skipped_bound_lux();
+    if (skipped > 0.0) text += fmt::format(", left out ≤ {}", lux(skipped));
+    return text;
+}
+
+}  // namespace
+
+std::string heading_of(LightPart part) {
+    switch (part) {
+        case LightPart::total: return "Total illuminance";
+        case LightPart::direct: return "Direct light only";
+        case LightPart::interreflected: return "Interreflected light only";
+        case LightPart::unshadowed: return "Total without shadows";
+    }
+    return "";
+}
+
+Caption caption_of(const Solution& solution, const ViewOptions& look) {
+    Caption caption;
+    const std::string title = solution.scene != nullptr ? solution.scene->title : std::string();
+    const std::string kind =
+        look.scale == Scale::photo ? "photo view, " + std::string(name_of(look.part)) : heading_of(look.part);
+    caption.title = title.empty() ? kind : title + " – " + kind;
+    const std::size_t patches = solution.mesh != nullptr ? solution.mesh->patches.size() : 0;
+    caption.detail = fmt::format("Method {}, {} patches of {:.3g} m at most, {} interreflections{}. Error: {}.",
+                                 name_of(solution.settings.method), patches, solution.settings.max_patch,
+                                 solution.bounces, solution.complete ? "" : " so far", error_text(solution));
+    return caption;
+}
+
+}  // namespace hanei

@@ -1,0 +1,139 @@
+#include <shaders.h>
+#include "ui/view/cell_field.h"
+#include "ui/view/colour_scale.h"
+#include "ui/view/layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hanei {
+namespace {
+
+constexpr std::size_t most_lines = 64;       // as the shader's arrays
+constexpr float isolux_width = 1.5F;         // pixels of a picture 900 high
+
+struct CellVertex {
+    glm::vec3 position;
+    glm::vec2 flat;
+    glm::vec4 sides;
+    glm::vec4 corner_and_shade;
+};
+
+void append_cell(std::vector<CellVertex>& vertices, std::vector<GLuint>& indices, const Solution& solution,
+                 const DisplayCell& cell, double reflectance) {
+    const CellFrame frame = frame_of(solution, cell);
+    const GLuint first = static_cast<GLuint>(vertices.size());
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec3& place = solution.display->vertices[cell.corner[k]].position;
+        const Vec2 flat = frame.flat(place);
+        vertices.push_back({glm::vec3(place), glm::vec2(flat), glm::vec4(frame.corner[1], frame.corner[3]),
+                            glm::vec4(frame.corner[2], reflectance, 0.0)});
+    }
+    indices.insert(indices.end(), {first, first + 1, first + 2});
+    if (!frame.triangle) indices.insert(indices.end(), {first, first + 2, first + 3});
+}
+
+double reflectance_of(const Solution& solution, const DisplayCell& cell) {
+    const Material* material = find_material(*solution.scene, solution.mesh->patches[cell.patch].material);
+    return material != nullptr ? material->reflectance : 0.0;
+}
+
+std::vector<float> shader_array(const std::vector<double>& values) {
+    std::vector<float> array;
+    for (const double value : values) {
+        if (array.size() < most_lines) array.push_back(static_cast<float>(value));
+    }
+    return array;
+}
+
+}  // namespace
+
+double automatic_exposure(const Solution& solution) {
+    constexpr double mean_shown = 0.62;  // before the shoulder: 0.38 of white after it, a light middle grey
+    double flux = 0.0, area = 0.0;
+    for (const DisplayCell& cell : solution.display->cells) {
+        const std::array<double, 4> lux = corner_values(*solution.display, cell, LightPart::total);
+        const CellFrame frame = frame_of(solution, cell);
+        const Vec2 a = frame.corner[2], b = frame.corner[3] - frame.corner[1];
+        const double size = std::abs(0.5 * (a.x * b.y - a.y * b.x)) * (frame.triangle ? 0.5 : 1.0);
+        flux += size * reflectance_of(solution, cell) * bilinear(lux, Vec2(0.5)) / std::numbers::pi;
+        area += size;
+    }
+    return flux > 0.0 ? mean_shown * area / flux : 1.0;
+}
+
+CellLayer::CellLayer() : program_(shaders::cell_vert, shaders::cell_frag) {
+    cells_.layout(sizeof(CellVertex), {{0, 3, offsetof(CellVertex, position)},
+                                       {1, 2, offsetof(CellVertex, flat)},
+                                       {2, 4, offsetof(CellVertex, sides)},
+                                       {3, 4, offsetof(CellVertex, corner_and_shade)}});
+    cells_.layout(sizeof(glm::vec4), {{4, 4, 0}}, 1);
+    glGenTextures(1, &colours_);
+    glBindTexture(GL_TEXTURE_2D, colours_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, 256, 1, 0, GL_RGB, GL_FLOAT, colour_table().data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+CellLayer::~CellLayer() { glDeleteTextures(1, &colours_); }
+
+void CellLayer::set(SolutionSnapshot solution) {
+    solution_ = std::move(solution);
+    std::vector<CellVertex> vertices;
+    std::vector<GLuint> indices;
+    vertices.reserve(4 * solution_->display->cells.size());
+    for (const DisplayCell& cell : solution_->display->cells) {
+        append_cell(vertices, indices, *solution_, cell, reflectance_of(*solution_, cell));
+    }
+    cells_.fill(vertices);
+    cells_.fill_indices(indices);
+    load_values(loaded_);
+    automatic_exposure_ = automatic_exposure(*solution_);
+}
+
+void CellLayer::load_values(LightPart part) {
+    std::vector<glm::vec4> values;
+    values.reserve(4 * solution_->display->cells.size());
+    for (const DisplayCell& cell : solution_->display->cells) {
+        const std::array<double, 4> lux = corner_values(*solution_->display, cell, part);
+        values.insert(values.end(), 4, glm::vec4(lux[0], lux[1], lux[2], lux[3]));
+    }
+    cells_.fill(values, 1);
+    loaded_ = part;
+}
+
+void CellLayer::set_scale(const ViewOptions& look) const {
+    const LuxRange& range = look.range;
+    const bool logarithmic = look.steps == ColourSteps::logarithmic;
+    const double low = logarithmic ? std::max(range.low, 1e-6 * range.high) : range.low;
+    program_.set("lux_range", glm::vec2(low, range.high));
+    program_.set("steps", static_cast<int>(look.steps));
+    const std::vector<float> borders = shader_array(band_borders(range));
+    program_.set("border_count", static_cast<int>(borders.size()));
+    program_.set("borders", borders);
+    const std::vector<float> lines = look.isolux ? shader_array(standard_steps(range)) : std::vector<float>{};
+    program_.set("line_count", static_cast<int>(lines.size()));
+    program_.set("lines", lines);
+}
+
+void CellLayer::draw(const Pass& pass, const ViewOptions& look) {
+    if (look.part != loaded_) load_values(look.part);
+    program_.use();
+    program_.set("to_clip", pass.to_clip);
+    program_.set("photo", look.scale == Scale::photo ? 1 : 0);
+    program_.set("exposure", static_cast<float>(automatic_exposure_ * std::exp2(look.exposure)));
+    program_.set("colour_below", colour_below);
+    program_.set("colour_above", colour_above);
+    program_.set("line_width", isolux_width * pass.pixel_scale);
+    set_scale(look);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, colours_);
+    program_.set("colours", 0);
+    cells_.draw_triangles();
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+}  // namespace hanei

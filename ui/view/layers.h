@@ -1,0 +1,90 @@
+/// The layers of a picture on the graphics side, each with its program and its buffers. Private to
+/// the room; all need a current context.
+#pragma once
+
+#include "ui/view/gl_objects.h"
+#include "ui/view/marks.h"
+
+namespace hanei {
+
+/// One drawing of the room: camera and size as the programs want them.
+struct Pass {
+    glm::mat4 to_clip{1.0F};
+    glm::vec4 eye{0.0F};  ///< w 1: a place; w 0: the direction towards the eye
+    glm::vec2 size{1.0F};
+    float pixel_scale = 1.0F;
+    float pixels_per_metre = 1.0F;  ///< at depth 1
+};
+
+/// The light: cells interpolated bilinearly.
+class CellLayer {
+public:
+    CellLayer();
+    ~CellLayer();
+    CellLayer(const CellLayer&) = delete;
+    CellLayer& operator=(const CellLayer&) = delete;
+
+    void set(SolutionSnapshot solution);
+    void draw(const Pass& pass, const ViewOptions& look);
+
+private:
+    void load_values(LightPart part);
+    void set_scale(const ViewOptions& look) const;
+    gl::Program program_;
+    gl::Vertices cells_;
+    GLuint colours_ = 0;
+    SolutionSnapshot solution_;
+    LightPart loaded_ = LightPart::total;
+    double automatic_exposure_ = 1.0;
+};
+
+/// Plain surfaces.
+class SolidLayer {
+public:
+    SolidLayer();
+    void set(const std::vector<SolidVertex>& vertices) { vertices_.fill(vertices); }
+    void draw(const Pass& pass, float shading) const;
+
+private:
+    gl::Program program_;
+    gl::Vertices vertices_;
+};
+
+class LineLayer {
+public:
+    LineLayer();
+    void set(const std::vector<LineMark>& lines, float pixel_scale);
+    /// `bias` in units of depth, towards the eye.
+    void draw(const Pass& pass, float bias) const;
+
+private:
+    gl::Program program_;
+    gl::Vertices vertices_;
+};
+
+class DotLayer {
+public:
+    DotLayer();
+    void set(const std::vector<DotMark>& dots) { vertices_.fill(dots); }
+    void draw(const Pass& pass, float bias) const;
+
+private:
+    gl::Program program_;
+    gl::Vertices vertices_;
+};
+
+class Background {
+public:
+    Background();
+    void draw() const;
+
+private:
+    gl::Program program_;
+    gl::Vertices vertices_;
+};
+
+/// Displayed value per cd/m2 so that the room's mean luminance comes out in the middle of the
+/// picture's greys. From the total light whatever part is shown, so that pictures compare.
+double automatic_exposure(const Solution& solution);
+
+}  // namespace hanei

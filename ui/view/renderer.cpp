@@ -1,0 +1,201 @@
+#include "ui/view/renderer.h"
+
+#include "engine/base/check.h"
+#include "engine/scene/faces.h"
+#include "ui/view/layers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hanei {
+namespace {
+
+constexpr float line_bias = 1.5e-4F;  // of the depth range: edges stand clear of the faces they border
+constexpr float mark_bias = 4e-4F;    // dots and openings lie flush on surfaces
+constexpr double usual_height = 900.0;
+
+Bounds joined(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+Pass pass_of(const Camera& camera, PixelSize size, const Bounds& bounds) {
+    Pass pass;
+    pass.to_clip = glm::mat4(view_projection(camera, size.aspect(), bounds));
+    pass.eye = camera.orthographic ? glm::vec4(-axes_of(camera).forward, 0.0F) : glm::vec4(camera.eye, 1.0F);
+    pass.size = glm::vec2(size.width, size.height);
+    pass.pixel_scale = static_cast<float>(std::max(0.6, size.height / usual_height));
+    const double distance = camera.orthographic ? glm::length(camera.target - camera.eye) : 1.0;
+    pass.pixels_per_metre = static_cast<float>(size.height / (2.0 * distance * std::tan(0.5 * camera.field_of_view)));
+    return pass;
+}
+
+void blend(bool on) {
+    if (on) {
+        glEnable(GL_BLEND);
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    } else {
+        glDisable(GL_BLEND);
+    }
+    glDepthMask(on ? GL_FALSE : GL_TRUE);
+}
+
+std::vector<SolidVertex> faded(std::vector<SolidVertex> vertices, float opacity) {
+    for (SolidVertex& vertex : vertices) vertex.colour.a = opacity;
+    return vertices;
+}
+
+}  // namespace
+
+struct Renderer::Buffers {
+    SceneSnapshot scene;
+    SolutionSnapshot solution;
+    Bounds bounds;
+    float edge_scale = 0.0F;  ///< pixel scale that the standing lines were made for
+    bool mesh_loaded = false;
+    Background background;
+    CellLayer cells;
+    SolidLayer plain, sub_areas, openings, opening_backs;
+    LineLayer edges, mesh, luminaire_lines, highlight_lines;
+    DotLayer luminaire_dots, calculation, highlight_dots;
+
+    void find_bounds() {
+        bounds = scene != nullptr ? bounds_of(*scene) : Bounds{};
+        if (solution != nullptr) bounds = scene != nullptr ? joined(bounds, bounds_of(*solution->scene)) : bounds_of(*solution->scene);
+    }
+
+    const Scene* shown_scene() const { return scene != nullptr ? scene.get() : solution != nullptr ? solution->scene.get() : nullptr; }
+
+    void load_lines(float pixel_scale) {
+        edge_scale = pixel_scale;
+        mesh_loaded = false;
+        const Scene* shown = shown_scene();
+        edges.set(shown != nullptr ? face_edges(*shown) : std::vector<LineMark>{}, pixel_scale);
+        const LuminaireMarks marks = shown != nullptr ? luminaire_marks(*shown) : LuminaireMarks{};
+        openings.set(marks.openings);
+        opening_backs.set(faded(marks.openings, 0.22F));
+        luminaire_lines.set(marks.lines, pixel_scale);
+        luminaire_dots.set(marks.dots);
+    }
+
+    void load_mesh(float pixel_scale) {
+        if (mesh_loaded) return;
+        mesh.set(solution != nullptr && solution->mesh != nullptr ? patch_edges(*solution->mesh) : std::vector<LineMark>{},
+                 pixel_scale);
+        mesh_loaded = true;
+    }
+
+    void draw_surfaces(const Pass& pass, const ViewOptions& look) {
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+        if (solution != nullptr && has_part(*solution, look.part)) {
+            cells.draw(pass, look);
+        } else {
+            plain.draw(pass, 1.0F);
+            glEnable(GL_POLYGON_OFFSET_FILL);
+            glPolygonOffset(-1.0F, -1.0F);
+            sub_areas.draw(pass, 1.0F);
+            glDisable(GL_POLYGON_OFFSET_FILL);
+        }
+        glDisable(GL_CULL_FACE);
+    }
+
+    void draw_luminaires(const Pass& pass) const {
+        glEnable(GL_CULL_FACE);
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(-2.0F, -2.0F);
+        openings.draw(pass, 0.0F);
+        blend(true);
+        glCullFace(GL_FRONT);  // from behind: glassy, so that the room is seen through them
+        opening_backs.draw(pass, 0.0F);
+        glDisable(GL_POLYGON_OFFSET_FILL);
+        glDisable(GL_CULL_FACE);
+        luminaire_lines.draw(pass, mark_bias);
+        luminaire_dots.draw(pass, mark_bias);
+        blend(false);
+    }
+
+    void draw_highlights(const Pass& pass, const Highlights& highlights) {
+        OutlineMarks marks;
+        const Scene* shown = shown_scene();
+        const auto add = [&](ObjectId object, const glm::vec4& colour, float width) {
+            if (shown == nullptr || !object) return;
+            OutlineMarks outline = outline_of(*shown, object, colour, width);
+            marks.lines.insert(marks.lines.end(), outline.lines.begin(), outline.lines.end());
+            marks.dots.insert(marks.dots.end(), outline.dots.begin(), outline.dots.end());
+        };
+        add(highlights.hovered, ink::hovered, 2.4F);
+        for (const ObjectId object : highlights.selected) add(object, ink::selected, 2.8F);
+        for (const Highlights::Line& line : highlights.lines) marks.lines.push_back({line.from, line.to, line.colour, 2.6F});
+        if (marks.lines.empty() && marks.dots.empty()) return;
+        highlight_dots.set(marks.dots);
+        highlight_lines.set(marks.lines, pass.pixel_scale);
+        blend(true);
+        highlight_lines.draw(pass, mark_bias);
+        highlight_dots.draw(pass, mark_bias);
+        for (LineMark& line : marks.lines) line.colour.a *= 0.3F;  // what is behind things shows through faintly
+        highlight_lines.set(marks.lines, pass.pixel_scale);
+        glDisable(GL_DEPTH_TEST);
+        highlight_lines.draw(pass, 0.0F);
+        glEnable(GL_DEPTH_TEST);
+        blend(false);
+    }
+};
+
+Renderer::Renderer() : buffers_(std::make_unique<Buffers>()) {}
+Renderer::~Renderer() = default;
+
+void Renderer::set_scene(SceneSnapshot scene) {
+    buffers_->scene = std::move(scene);
+    const PlainFaces faces = buffers_->scene != nullptr ? plain_faces(*buffers_->scene) : PlainFaces{};
+    buffers_->plain.set(faces.faces);
+    buffers_->sub_areas.set(faces.sub_areas);
+    buffers_->edge_scale = 0.0F;
+    buffers_->find_bounds();
+}
+
+void Renderer::set_solution(SolutionSnapshot solution) {
+    const bool drawable = solution != nullptr && solution->scene != nullptr && solution->mesh != nullptr &&
+                          solution->display != nullptr;
+    buffers_->solution = drawable ? std::move(solution) : nullptr;
+    buffers_->mesh_loaded = false;
+    if (drawable) buffers_->cells.set(buffers_->solution);
+    if (buffers_->scene == nullptr) buffers_->edge_scale = 0.0F;
+    buffers_->find_bounds();
+}
+
+void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlights& highlights, PixelSize size) {
+    Buffers& b = *buffers_;
+    HANEI_CHECK(size.width > 0 && size.height > 0);
+    glViewport(0, 0, size.width, size.height);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    b.background.draw();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_PROGRAM_POINT_SIZE);
+
+    const Pass pass = pass_of(camera, size, b.bounds);
+    if (b.edge_scale != pass.pixel_scale) b.load_lines(pass.pixel_scale);
+    b.draw_surfaces(pass, look);
+    if (look.luminaires) b.draw_luminaires(pass);
+    blend(true);
+    b.edges.draw(pass, line_bias);
+    if (look.mesh_lines) {
+        b.load_mesh(pass.pixel_scale);
+        b.mesh.draw(pass, line_bias);
+    }
+    const Scene* shown = b.shown_scene();
+    if (look.grids && look.scale == Scale::false_colour && shown != nullptr) {
+        b.calculation.set(calculation_dots(*shown, b.solution.get(), look));
+        b.calculation.draw(pass, mark_bias);
+    }
+    blend(false);
+    b.draw_highlights(pass, highlights);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(0);
+    glBindVertexArray(0);
+}
+
+}  // namespace hanei

@@ -1,0 +1,149 @@
+#include "engine/geometry/polygon.h"
+#include "engine/scene/faces.h"
+#include "ui/view/luminaire_shape.h"
+#include "ui/view/marks.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace hanei {
+namespace {
+
+constexpr double same_corner = 1e-5;  // m: corners of faces that meet, after rotation
+
+void append_convex(std::vector<SolidVertex>& vertices, const Polygon& convex, const Vec3& normal,
+                   const glm::vec4& colour) {
+    for (std::size_t k = 1; k + 1 < convex.size(); ++k) {
+        for (const std::size_t corner : {std::size_t{0}, k, k + 1}) {
+            vertices.push_back({glm::vec3(convex[corner]), glm::vec3(normal), colour});
+        }
+    }
+}
+
+/// Grey as a surface of this reflectance looks beside white paper (sRGB of the reflectance).
+glm::vec4 grey_of(const Scene& scene, ObjectId material) {
+    const Material* found = find_material(scene, material);
+    const double reflectance = found != nullptr ? found->reflectance : 0.5;
+    const float grey = 0.25F + 0.75F * static_cast<float>(std::pow(std::max(0.0, reflectance), 1.0 / 2.2));
+    return {0.985F * grey, 0.99F * grey, grey, 1.0F};
+}
+
+using EdgeKey = std::array<long long, 6>;
+
+EdgeKey key_of(const Vec3& a, const Vec3& b) {
+    const auto cell = [](const Vec3& p) {
+        return std::array<long long, 3>{std::llround(p.x / same_corner), std::llround(p.y / same_corner),
+                                        std::llround(p.z / same_corner)};
+    };
+    std::array<long long, 3> low = cell(a), high = cell(b);
+    if (high < low) std::swap(low, high);
+    return {low[0], low[1], low[2], high[0], high[1], high[2]};
+}
+
+/// Collects edges, joining those that two faces share.
+class EdgeList {
+public:
+    void add_loop(const Polygon& loop, const Vec3& normal, const glm::vec4& colour, float width) {
+        for (std::size_t k = 0; k < loop.size(); ++k) add(loop[k], loop[(k + 1) % loop.size()], normal, colour, width);
+    }
+    std::vector<LineMark> lines;
+
+private:
+    void add(const Vec3& from, const Vec3& to, const Vec3& normal, const glm::vec4& colour, float width) {
+        const auto [place, is_new] = seen_.emplace(key_of(from, to), lines.size());
+        if (is_new) {
+            lines.push_back({from, to, colour, width, normal, normal});
+        } else {
+            lines[place->second].normal_b = normal;
+        }
+    }
+    std::map<EdgeKey, std::size_t> seen_;
+};
+
+void add_region(EdgeList& edges, const Region& region, const Vec3& normal, const glm::vec4& colour, float width) {
+    edges.add_loop(region.outline, normal, colour, width);
+    for (const Polygon& hole : region.holes) edges.add_loop(hole, normal, colour, width);
+}
+
+}  // namespace
+
+PlainFaces plain_faces(const Scene& scene) {
+    PlainFaces plain;
+    for (const Face& face : faces_of(scene)) {
+        const glm::vec4 colour = grey_of(scene, face.material);
+        for (const Polygon& piece : convex_pieces(face.region)) append_convex(plain.faces, piece, face.normal, colour);
+        for (const FaceArea& area : face.areas) {
+            append_convex(plain.sub_areas, area.outline, face.normal, grey_of(scene, area.material));
+        }
+    }
+    return plain;
+}
+
+std::vector<LineMark> face_edges(const Scene& scene) {
+    EdgeList edges;
+    for (const Face& face : faces_of(scene)) {
+        add_region(edges, face.region, face.normal, ink::edge, 1.3F);
+        for (const FaceArea& area : face.areas) {
+            edges.add_loop(area.outline, face.normal, glm::vec4(glm::vec3(ink::edge), 0.22F), 1.0F);
+        }
+    }
+    return edges.lines;
+}
+
+std::vector<LineMark> patch_edges(const Mesh& mesh) {
+    EdgeList edges;
+    for (const Patch& patch : mesh.patches) {
+        edges.add_loop(patch.outline, mesh.faces[patch.face].face.normal, ink::mesh, 1.0F);
+    }
+    return edges.lines;
+}
+
+LuminaireMarks luminaire_marks(const Scene& scene) {
+    LuminaireMarks marks;
+    for (const Luminaire& luminaire : scene.luminaires) {
+        const LuminaireShape shape = shape_of(luminaire, scene);
+        const float on = luminaire.dimming > 0.0 ? 1.0F : 0.0F;
+        const glm::vec4 light = glm::mix(glm::vec4(0.45F, 0.46F, 0.48F, 1.0F), glm::vec4(1.0F, 0.992F, 0.94F, 1.0F), on);
+        for (const Polygon& opening : shape.shining) append_convex(marks.openings, opening, unit_normal(opening), light);
+        for (const auto& [from, to] : shape.outline) marks.lines.push_back({from, to, ink::luminaire, 1.3F});
+        if (shape.tube) {
+            marks.lines.push_back({shape.tube->first, shape.tube->second, ink::luminaire, 7.0F});
+            marks.lines.push_back({shape.tube->first, shape.tube->second, light, 4.6F});
+        }
+        if (shape.point) marks.dots.push_back({glm::vec3(*shape.point), light, ink::luminaire, 6.0F, 0.0F});
+    }
+    return marks;
+}
+
+OutlineMarks outline_of(const Scene& scene, ObjectId object, const glm::vec4& colour, float width) {
+    OutlineMarks marks;
+    if (!object) return marks;
+    EdgeList edges;
+    for (const Face& face : faces_of(scene)) {
+        if (face.ref.object == object) add_region(edges, face.region, face.normal, colour, width);
+        for (const FaceArea& area : face.areas) {
+            if (area.sub_area == object) edges.add_loop(area.outline, face.normal, colour, width);
+        }
+    }
+    marks.lines = std::move(edges.lines);
+    for (const Luminaire& luminaire : scene.luminaires) {
+        if (luminaire.id != object) continue;
+        const LuminaireShape shape = shape_of(luminaire, scene);
+        for (const auto& [from, to] : shape.outline) marks.lines.push_back({from, to, colour, width});
+        if (shape.tube) marks.lines.push_back({shape.tube->first, shape.tube->second, colour, width + 3.0F});
+        if (shape.point) marks.dots.push_back({glm::vec3(*shape.point), colour, colour, 7.5F, 0.0F});
+    }
+    for (const CalculationGrid& grid : scene.grids) {
+        if (grid.id != object) continue;
+        const Polygon loop{grid.corner, grid.corner + grid.along, grid.corner + grid.along + grid.across,
+                           grid.corner + grid.across};
+        for (std::size_t k = 0; k < 4; ++k) marks.lines.push_back({loop[k], loop[(k + 1) % 4], colour, width});
+    }
+    for (const CalculationPoint& point : scene.points) {
+        if (point.id == object) marks.dots.push_back({glm::vec3(point.position), colour, colour, 7.0F, 0.0F});
+    }
+    return marks;
+}
+
+}  // namespace hanei
