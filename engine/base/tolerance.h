@@ -10,6 +10,12 @@ namespace hanei::tolerance {
 /// between a desk's foot and the floor that only rounding made.
 inline constexpr double same_place = 1e-9;
 
+/// A free receiver closer to the plane or an edge of a polygon than this times the distance of its
+/// farthest corner lies on it: 1e-11 m in a 10 m room, a thousand times the rounding of a vector
+/// between two places of it. Larger would take a point a nanometre beside a luminous opening for
+/// one in it; smaller would make the light at a wall's foot a matter of rounding.
+inline constexpr double touching = 1e-12;
+
 /// A polygon is planar when no vertex leaves its plane by more than this times its diameter.
 /// 1e-6 of a 5 m wall is 5 um: coordinates typed to the tenth of a millimetre pass after rotation.
 inline constexpr double planar = 1e-6;

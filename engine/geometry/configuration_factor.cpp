@@ -85,7 +85,7 @@ double factor_of(std::span<const Vec3> outline, std::span<const Polygon> holes, 
     const double extent = diameter(outline);
     if (!(size > tolerance::no_area * extent * extent)) return 0.0;
 
-    SeenShape shape{outline, holes, area / size, 0.0, tolerance::same_place * farthest};
+    SeenShape shape{outline, holes, area / size, 0.0, touching_distance(receiver, farthest)};
     shape.height = glm::dot(receiver.position - outline[0], shape.front);
     if (shape.height < -shape.touching) return 0.0;
     const double factor = shape.height <= shape.touching

@@ -1,8 +1,12 @@
 #include "engine/geometry/contour.h"
 
+#include "engine/base/tolerance.h"
+#include "engine/geometry/configuration_factor.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -151,6 +155,13 @@ private:
 };
 
 }  // namespace
+
+double touching_distance(const Receiver& receiver, double farthest_corner) {
+    const Vec3 place = glm::abs(receiver.position);
+    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * std::max({place.x, place.y, place.z});
+    const double share = receiver.inward == Vec3{0.0} ? tolerance::touching : tolerance::same_place;
+    return share * farthest_corner + rounding;
+}
 
 double contour_factor(const SeenLoop& loop, const Vec3& normal) {
     if (loop.size() < 3) return 0.0;

@@ -8,6 +8,13 @@
 
 namespace hanei {
 
+struct Receiver;
+
+/// Distance under which a receiver lies on a polygon's plane or edge: tolerance::touching of the
+/// farthest corner, tolerance::same_place for one known to lie on the edge of its own face, and
+/// never less than the rounding of the coordinates.
+double touching_distance(const Receiver& receiver, double farthest_corner);
+
 /// A loop of points with the receiver at the origin, kept as one point and offsets from it: edges
 /// of a small, far loop then carry no rounding of the distance.
 struct SeenLoop {

@@ -19,9 +19,10 @@ Pyramid::Pyramid(const Vec3& eye, std::span<const Vec3> points, double margin)
         }
         return;
     }
-    for (std::size_t k = 0; k < points.size() && count_ + 1 < axes_.size(); ++k) {
+    const std::size_t sides = points.size() == 2 ? 1 : std::min(points.size(), axes_.size() - 1);
+    for (std::size_t side = 0; side < sides; ++side) {
+        const std::size_t k = side * points.size() / sides;
         add_axis(glm::cross(points[k] - eye, points[(k + 1) % points.size()] - eye), points);
-        if (points.size() == 2) break;
     }
     if (points.size() > 2) add_axis(glm::cross(points[1] - points[0], points[2] - points[0]), points);
 }

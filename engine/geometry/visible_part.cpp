@@ -1,6 +1,5 @@
 #include "engine/geometry/visible_part.h"
 
-#include "engine/base/tolerance.h"
 #include "engine/geometry/configuration_factor.h"
 #include "engine/geometry/contour.h"
 #include "engine/geometry/polygon.h"
@@ -109,7 +108,7 @@ double visible_configuration_factor(const Polygon& polygon, const Receiver& rece
     see_from(receiver.position, polygon, memory.seen);
     double farthest = 0.0;
     for (const Vec3& point : memory.seen) farthest = std::max(farthest, glm::length(point));
-    const double touching = tolerance::same_place * farthest;
+    const double touching = touching_distance(receiver, farthest);
     const double height = -glm::dot(memory.seen[0], front);
     if (height < -touching) return 0.0;
 

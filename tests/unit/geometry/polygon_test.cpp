@@ -85,8 +85,8 @@ TEST(Polygon, what_is_cut_out_and_what_is_left_add_up) {
 
 TEST(Polygon, a_cutter_beside_leaves_the_whole_in_one_piece) {
     const Polygon whole = facing_up(0, 0, 1, 1, 0);
-    EXPECT_EQ(subtracted(whole, facing_up(1, 0, 2, 1, 0), 1e-9), std::vector{whole});
-    EXPECT_EQ(subtracted(whole, facing_up(1.5, 1.5, 2, 2, 0), 1e-9), std::vector{whole});
+    EXPECT_EQ(subtracted(whole, facing_up(1, 0, 2, 1, 0), 1e-9), std::vector<Polygon>{whole});
+    EXPECT_EQ(subtracted(whole, facing_up(1.5, 1.5, 2, 2, 0), 1e-9), std::vector<Polygon>{whole});
     EXPECT_TRUE(subtracted(whole, facing_up(-1, -1, 2, 2, 0), 1e-9).empty());
 }
 
@@ -106,7 +106,7 @@ void expect_convex_cover(const Region& region) {
 }
 
 TEST(ConvexPieces, a_convex_outline_is_its_own_piece) {
-    EXPECT_EQ(convex_pieces({facing_up(0, 0, 1, 1, 0), {}}), std::vector{facing_up(0, 0, 1, 1, 0)});
+    EXPECT_EQ(convex_pieces({facing_up(0, 0, 1, 1, 0), {}}), std::vector<Polygon>{facing_up(0, 0, 1, 1, 0)});
     EXPECT_TRUE(convex_pieces({Polygon{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {}}).empty());
 }
 
