@@ -52,6 +52,13 @@ public:
         return bounds;
     }
 
+    /// The greatest total illuminance, of what is certain to arrive.
+    double greatest_total(const TailBounds& tail) const {
+        double found = 0.0;
+        for (std::size_t k = 0; k < sum_.size(); ++k) found = std::max(found, input_.direct[k] + sum_[k] + tail.low(k));
+        return found;
+    }
+
     /// The state with the tail put in: its middle, or nothing of it.
     Balance state(const TailBounds& tail, bool with_tail) const {
         Balance result;
@@ -81,13 +88,6 @@ private:
     int bounces_ = 0;
 };
 
-double greatest_total(const BalanceInput& input, std::span<const double> interreflected) {
-    double found = 0.0;
-    for (std::size_t k = 0; k < interreflected.size(); ++k)
-        found = std::max(found, input.direct[k] + interreflected[k]);
-    return found;
-}
-
 }  // namespace
 
 std::optional<Balance> balance(const BalanceInput& input, const BalanceLimits& limits, const Work& work,
@@ -104,7 +104,7 @@ std::optional<Balance> balance(const BalanceInput& input, const BalanceLimits& l
         // the middle of the bracket tells whether it is close enough; what the row sums alone bound
         // has no middle worth telling until then
         Balance state = series.state(tail, true);
-        state.converged = tail.greatest_half_width() <= limits.accuracy * greatest_total(input, state.interreflected);
+        state.converged = tail.greatest_half_width() <= limits.accuracy * series.greatest_total(tail);
         const bool ends = state.converged || series.bounces() >= limits.bounces || tail.diverges() ||
                           series.greatest_last() > too_large;
         if (!state.converged && (ends || !tail.is_bracket())) state = series.state(tail, false);
