@@ -1,0 +1,84 @@
+#include "engine/project/luminaire_file.h"
+
+#include "engine/project/ies_file.h"
+#include "engine/project/ies_label.h"
+#include "engine/project/ldt_file.h"
+#include "engine/project/luminaire_findings.h"
+#include "engine/project/luminaire_text.h"
+#include "engine/project/tm33_file.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <fmt/format.h>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace hanei {
+namespace {
+
+constexpr std::uintmax_t most_bytes = 16U << 20U;
+
+/// A NUL byte stands in no text file. One in the first bytes means that the whole is something else.
+bool refuse_binary(std::string_view text, LuminaireFindings& findings) {
+    const std::size_t nul = text.find('\0');
+    if (nul == std::string_view::npos) return false;
+    constexpr std::size_t head = 64;
+    if (nul < head) {
+        findings.fault(1, "file", "binary data; a luminaire file is text");
+        return true;
+    }
+    LineReader lines{text};
+    while (lines.next() && lines.line().find('\0') == std::string_view::npos) continue;
+    findings.fault(lines.number(), "file", "a NUL byte stands in the text; the file is damaged");
+    return true;
+}
+
+bool named_ldt(std::string_view name) {
+    std::string end{name.substr(name.size() - std::min<std::size_t>(name.size(), 4))};
+    return starts_with_word(end, ".LDT");
+}
+
+Photometry read_by_content(std::string_view text, std::string_view name, LuminaireFindings& findings) {
+    if (looks_like_tm33(text)) return read_tm33(text, findings);
+    if (looks_like_ies(text)) return read_ies(text, findings);
+    if (looks_like_ldt(text) || named_ldt(name)) return read_ldt(text, findings);
+    return read_ies(text, findings);
+}
+
+LuminaireFileRead unread(const std::filesystem::path& file, std::string message) {
+    return {std::nullopt, {{Severity::error, {file.string(), 0, "file", 0}, std::move(message)}}};
+}
+
+}  // namespace
+
+LuminaireFileRead read_luminaire_file(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error) return unread(file, "cannot be read: " + error.message());
+    if (size > most_bytes) return unread(file, fmt::format("{} bytes; a luminaire file has 16 MB at most", size));
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    std::ifstream stream{file, std::ios::binary};
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!stream) return unread(file, "cannot be read");
+    LuminaireFileRead read = read_luminaire_text(bytes, file.string());
+    if (read.photometry) {
+        read.photometry->source_file = file.filename().string();
+        if (read.photometry->name.empty()) read.photometry->name = file.stem().string();
+    }
+    return read;
+}
+
+LuminaireFileRead read_luminaire_text(std::string_view bytes, std::string_view name) {
+    LuminaireFindings findings{name};
+    const std::string text = decoded_text(bytes);
+    if (trimmed(text).empty()) findings.fault(1, "file", "the file is empty");
+    Photometry photometry;
+    if (!findings.failed() && !refuse_binary(text, findings)) photometry = read_by_content(text, name, findings);
+    if (findings.failed()) return {std::nullopt, findings.diagnostics()};
+    photometry.source_file = std::filesystem::path{name}.filename().string();
+    photometry.warnings = findings.warning_texts();
+    return {std::move(photometry), findings.diagnostics()};
+}
+
+}  // namespace hanei
