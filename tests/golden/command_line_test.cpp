@@ -1,0 +1,145 @@
+/// The command line's door: what it answers, and its exit codes.
+#include "app/command_line.h"
+
+#include "app/exit_code.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace hanei {
+namespace {
+
+const std::string rooms = HANEI_SOURCE "/assets/rooms/";
+
+class CommandLine : public testing::Test {
+protected:
+    int run(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "hanei");
+        std::vector<char*> pointers;
+        for (std::string& argument : arguments) pointers.push_back(argument.data());
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        const int code = run_command_line(static_cast<int>(pointers.size()), pointers.data());
+        out_ = testing::internal::GetCapturedStdout();
+        err_ = testing::internal::GetCapturedStderr();
+        return code;
+    }
+    static std::filesystem::path scratch(const std::string& name) {
+        const auto folder = std::filesystem::path(testing::TempDir()) /
+                            ("hanei-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        std::filesystem::create_directories(folder);
+        return folder / name;
+    }
+    static std::string content(const std::filesystem::path& file) {
+        std::ifstream in(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    std::string out_, err_;
+};
+
+TEST_F(CommandLine, every_command_has_help) {
+    for (const char* command : {"solve", "render", "plan", "study", "check", "validate", "photometry"}) {
+        EXPECT_EQ(run({command, "--help"}), exit_done);
+        EXPECT_NE(out_.find("Usage"), std::string::npos) << command;
+    }
+    EXPECT_EQ(run({"--help"}), exit_done);
+}
+
+TEST_F(CommandLine, solve_prints_the_lux_table_and_writes_csv_and_json) {
+    const auto csv = scratch("values.csv"), json = scratch("values.json");
+    ASSERT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--csv", csv, "--json", json}), exit_done) << err_;
+    EXPECT_NE(out_.find("mean lx"), std::string::npos);
+    EXPECT_EQ(content(csv).rfind("kind,name,x_m", 0), 0u);
+    EXPECT_NE(content(json).find("\"total_lx\""), std::string::npos);
+}
+
+TEST_F(CommandLine, solve_gives_the_same_values_on_one_thread_and_on_three) {
+    const auto one = scratch("one.csv"), three = scratch("three.csv");
+    ASSERT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--threads", "1", "--csv", one}), exit_done);
+    ASSERT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--threads", "3", "--csv", three}), exit_done);
+    EXPECT_EQ(content(one), content(three));
+}
+
+TEST_F(CommandLine, a_missing_project_is_bad_input_with_the_file_named) {
+    EXPECT_EQ(run({"solve", "nowhere.hanei"}), exit_bad_input);
+    EXPECT_NE(err_.find("nowhere.hanei"), std::string::npos) << err_;
+}
+
+TEST_F(CommandLine, an_option_out_of_range_is_bad_input) {
+    EXPECT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "-1"}), exit_bad_input);
+    EXPECT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--method", "magic"}), exit_bad_input);
+    EXPECT_EQ(run({"render", rooms + "computer-room-panels.hanei", "--out", "x.png", "--size", "0x7"}), exit_bad_input);
+}
+
+TEST_F(CommandLine, an_unknown_view_is_named_with_the_views_there_are) {
+    EXPECT_EQ(run({"render", rooms + "computer-room-panels.hanei", "--out", scratch("x.png"), "--view", "attic"}), exit_bad_input);
+    EXPECT_NE(err_.find("attic"), std::string::npos);
+    EXPECT_NE(err_.find("overview"), std::string::npos);
+}
+
+TEST_F(CommandLine, render_draws_the_same_picture_twice) {
+    const auto first = scratch("first.png"), second = scratch("second.png");
+    for (const auto& file : {first, second})
+        ASSERT_EQ(run({"render", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--size", "480x300", "--out", file}), exit_done) << err_;
+    EXPECT_GT(content(first).size(), 10'000u);
+    EXPECT_EQ(content(first), content(second));
+}
+
+TEST_F(CommandLine, plan_says_why_for_every_effect) {
+    ASSERT_EQ(run({"plan", rooms + "computer-room-panels.hanei"}), exit_done) << err_;
+    for (const char* word : {"interreflection", "penumbra", "bounces", "simulated"}) EXPECT_NE(out_.find(word), std::string::npos) << word;
+}
+
+TEST_F(CommandLine, every_start_room_passes_its_check) {
+    for (const auto& entry : std::filesystem::directory_iterator(rooms))
+        if (entry.path().extension() == ".hanei") EXPECT_EQ(run({"check", entry.path()}), exit_done) << err_;
+}
+
+TEST_F(CommandLine, study_writes_table_and_plot) {
+    const auto folder = scratch("sweep");
+    ASSERT_EQ(run({"study", rooms + "computer-room-panels.hanei", "--max-patch", "2", "--out", folder}), exit_done) << err_;
+    EXPECT_NE(content(folder / "accuracy-time.csv").find("\npaper,"), std::string::npos);
+    EXPECT_NE(content(folder / "accuracy-time.svg").find("</svg>"), std::string::npos);
+}
+
+TEST_F(CommandLine, the_reference_cases_kept_with_the_project_pass) {
+    EXPECT_EQ(run({"validate", HANEI_SOURCE "/tests/golden/reference"}), exit_done) << out_ << err_;
+}
+
+TEST_F(CommandLine, validate_says_no_when_a_case_fails) {
+    const std::string good = content(HANEI_SOURCE "/tests/golden/reference/P-A1.json");
+    const auto bad = scratch("wrong.json");
+    std::string text = good;
+    const std::string key = "\"expected_lx\":";
+    const auto at = text.find(key);
+    ASSERT_NE(at, std::string::npos);
+    text.insert(at + key.size() + 1, "1");  // behind the blank: ten times and more
+    std::ofstream(bad) << text;
+    EXPECT_EQ(run({"validate", bad}), exit_answer_is_no) << out_ << err_;
+}
+
+TEST_F(CommandLine, validate_of_an_empty_folder_is_bad_input) {
+    const auto folder = scratch("empty");
+    std::filesystem::create_directories(folder);
+    EXPECT_EQ(run({"validate", folder}), exit_bad_input);
+}
+
+/// More cases than travel with the project, where they lie.
+TEST_F(CommandLine, direct_light_and_furnaces_of_the_shared_reference_pass) {
+    const std::filesystem::path folder = HANEI_SHARED "/reference";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "skipped: no test data at " << folder;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        const bool wanted = name.size() > 3 && (std::string("ABCDEF").find(name[2]) != std::string::npos ||
+                                                name.rfind("P-G1", 0) == 0 || name.rfind("P-G2", 0) == 0);
+        if (wanted && name.rfind("P-G10", 0) != 0) EXPECT_EQ(run({"validate", entry.path()}), exit_done) << out_ << err_;
+    }
+}
+
+}  // namespace
+}  // namespace hanei
