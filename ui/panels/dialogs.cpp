@@ -1,0 +1,185 @@
+#include "ui/panels/dialogs.h"
+
+#include "ui/panels/command.h"
+#include "ui/panels/style.h"
+
+#include <algorithm>
+#include <array>
+#include <imgui.h>
+#include <utility>
+
+namespace hanei {
+namespace {
+
+constexpr float button_width = 110.0F;
+
+bool dialog_button(const char* label, const char* name, WidgetRegistry& widgets) {
+    const bool pressed = ImGui::Button(label, {button_width * style::scale(), 0.0F});
+    widgets.note(name);
+    return pressed;
+}
+
+bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
+
+void buttons_from_right(int count) {
+    const float space = ImGui::GetStyle().ItemSpacing.x;
+    const float width =
+        static_cast<float>(count) * button_width * style::scale() + static_cast<float>(count - 1) * space;
+    ImGui::Dummy({0.0F, 6.0F * style::scale()});
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+}
+
+void key_row(const std::string& keys, std::string_view what) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextColored(style::colour(style::accent), "%s", keys.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(what.data(), what.data() + what.size());
+}
+
+constexpr std::array mouse_map{
+    std::pair{"Click", "Choose what is under the pointer"},
+    std::pair{"Drag the chosen object", "Move it in the plan; by an arrow, along that axis"},
+    std::pair{"Ctrl while dragging", "Leave the raster, or keep to it"},
+    std::pair{"Drag the room, right drag", "Turn the view"},
+    std::pair{"Middle drag, Shift+drag", "Shift the view"},
+    std::pair{"Wheel", "Closer to, or away from, what is under the pointer"},
+    std::pair{"Drag a figure", "Change it; click it to type"},
+};
+
+}  // namespace
+
+std::string_view name_of(Dialogs::Kind kind) {
+    constexpr std::array names{"none", "unsaved", "findings", "keys", "about"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+void Dialogs::show(Kind kind) {
+    kind_ = kind;
+    opening_ = true;
+}
+
+void Dialogs::close() {
+    kind_ = Kind::none;
+    ImGui::CloseCurrentPopup();
+}
+
+void Dialogs::ask_unsaved(std::string title, std::function<void()> save, std::function<void()> proceed) {
+    title_ = std::move(title);
+    save_ = std::move(save);
+    proceed_ = std::move(proceed);
+    show(Kind::unsaved);
+}
+
+void Dialogs::show_findings(std::string title, Diagnostics findings) {
+    title_ = std::move(title);
+    findings_ = std::move(findings);
+    show(Kind::findings);
+}
+
+bool Dialogs::begin(const char* title, float width) {
+    const std::string label = std::string(title) + "###dialog";
+    if (opening_) ImGui::OpenPopup(label.c_str());
+    opening_ = false;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({std::min(width * style::scale(), screen.x - 40.0F), 0.0F});
+    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {screen.x, screen.y - 60.0F});
+    bool stay = true;
+    const bool drawn =
+        ImGui::BeginPopupModal(label.c_str(), &stay, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+    if (!drawn) kind_ = Kind::none;
+    return drawn;
+}
+
+void Dialogs::unsaved(WidgetRegistry& widgets) {
+    if (!begin("Unsaved changes", 460.0F)) return;
+    ImGui::TextWrapped("%s has changes that were not saved.", title_.c_str());
+    buttons_from_right(3);
+    std::function<void()> then;
+    if (dialog_button("Don't save", "unsaved.discard", widgets)) then = proceed_;
+    ImGui::SameLine();
+    const bool cancel = dialog_button("Cancel", "unsaved.cancel", widgets) || key_pressed(ImGuiKey_Escape);
+    ImGui::SameLine();
+    if (dialog_button("Save", "unsaved.save", widgets) || key_pressed(ImGuiKey_Enter)) then = save_;
+    if (cancel || then) close();
+    ImGui::EndPopup();
+    if (then) then();
+}
+
+void Dialogs::findings(WidgetRegistry& widgets) {
+    if (!begin(title_.c_str(), 620.0F)) return;
+    for (const Diagnostic& finding : findings_) {
+        ImGui::PushStyleColor(ImGuiCol_Text, finding.severity == Severity::error ? style::warning : style::text);
+        ImGui::TextWrapped("%s", to_text(finding).c_str());
+        ImGui::PopStyleColor();
+    }
+    buttons_from_right(1);
+    if (dialog_button("OK", "findings.ok", widgets) || key_pressed(ImGuiKey_Enter) || key_pressed(ImGuiKey_Escape))
+        close();
+    ImGui::EndPopup();
+}
+
+void Dialogs::keys(WidgetRegistry& widgets) {
+    if (!begin("Keys and mouse", 900.0F)) return;
+    if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
+        ImGui::TableNextColumn();
+        const auto begin_list = [](const char* id) {
+            ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit);
+            ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 132.0F * style::scale());
+            ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+        };
+        ImGui::PushFont(style::fonts().small);
+        begin_list("left");
+        int shown = 0;
+        for (const Command& entry : commands()) {
+            if (entry.chord.key == Key::none) continue;
+            if (++shown == 20) {
+                ImGui::EndTable();
+                ImGui::TableNextColumn();
+                begin_list("right");
+            }
+            const std::string other = to_text(entry.other);
+            const bool variant = entry.other.key == entry.chord.key;
+            key_row(to_text(entry.chord) + (other.empty() || variant ? "" : ", " + other), entry.help);
+        }
+        for (const auto& [keys_text, what] : mouse_map) key_row(keys_text, what);
+        ImGui::EndTable();
+        ImGui::PopFont();
+        ImGui::EndTable();
+    }
+    buttons_from_right(1);
+    if (dialog_button("Close", "keys.close", widgets) || key_pressed(ImGuiKey_Escape)) close();
+    ImGui::EndPopup();
+}
+
+void Dialogs::about(WidgetRegistry& widgets) {
+    if (!begin("About Hanei", 480.0F)) return;
+    ImGui::PushFont(style::fonts().strong);
+    ImGui::TextUnformatted("Hanei");
+    ImGui::PopFont();
+    ImGui::TextWrapped(
+        "Lighting design with exact direct light, interreflection, and an error bar on every value. "
+        "All surfaces are taken as perfectly diffuse: there are no mirrors and no gloss.");
+    ImGui::TextWrapped("Licence: Apache-2.0.");
+    buttons_from_right(1);
+    if (dialog_button("Close", "about.close", widgets) || key_pressed(ImGuiKey_Escape)) close();
+    ImGui::EndPopup();
+}
+
+void Dialogs::draw(WidgetRegistry& widgets) {
+    switch (kind_) {
+        case Kind::none:
+            return;
+        case Kind::unsaved:
+            return unsaved(widgets);
+        case Kind::findings:
+            return findings(widgets);
+        case Kind::keys:
+            return keys(widgets);
+        case Kind::about:
+            return about(widgets);
+    }
+}
+
+}  // namespace hanei

@@ -1,0 +1,41 @@
+#include "ui/panels/panel_frame.h"
+
+#include "ui/panels/style.h"
+
+#include <algorithm>
+#include <imgui.h>
+
+namespace hanei {
+
+void begin_panel(const char* name, const ScreenRect& area, bool padded) {
+    ImGui::SetNextWindowPos({area.left, area.top});
+    ImGui::SetNextWindowSize({std::max(1.0F, area.right - area.left), std::max(1.0F, area.bottom - area.top)});
+    if (!padded) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(padded ? 1 : 2);
+}
+
+void end_panel() { ImGui::End(); }
+
+void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, float high) {
+    const float grip = 5.0F * style::scale();
+    const ImVec2 keep = ImGui::GetCursorScreenPos();
+    const bool level = edge == Edge::top;
+    ImGui::SetCursorScreenPos({edge == Edge::right ? area.right - grip : area.left, area.top});
+    ImGui::InvisibleButton("edge", {level ? area.right - area.left : grip, level ? grip : area.bottom - area.top});
+    ImGui::SetItemAllowOverlap();
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        ImGui::SetMouseCursor(level ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
+    }
+    if (ImGui::IsItemActive()) {
+        const ImVec2 by = ImGui::GetIO().MouseDelta;
+        const float grows = edge == Edge::right ? by.x : edge == Edge::left ? -by.x : -by.y;
+        size = std::clamp(size + grows / style::scale(), low, high);
+    }
+    ImGui::SetCursorScreenPos(keep);
+}
+
+}  // namespace hanei

@@ -1,0 +1,159 @@
+#include "ui/panels/results_panel.h"
+
+#include "ui/panels/edit.h"
+#include "ui/panels/form.h"
+#include "ui/panels/live_study.h"
+#include "ui/panels/probe.h"
+#include "ui/panels/style.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace hanei {
+namespace {
+
+constexpr int table_look =
+    ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
+
+struct Column {
+    const char* title;
+    float share;
+    const char* help;
+};
+
+void header(std::span<const Column> columns) {
+    for (const Column& column : columns) {
+        ImGui::TableSetupColumn(column.title, ImGuiTableColumnFlags_WidthStretch, column.share);
+    }
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (int k = 0; k < static_cast<int>(columns.size()); ++k) {
+        ImGui::TableSetColumnIndex(k);
+        ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
+        ImGui::TextUnformatted(columns[static_cast<std::size_t>(k)].title);
+        ImGui::PopStyleColor();
+        tooltip(columns[static_cast<std::size_t>(k)].help);
+    }
+}
+
+void cell(const std::string& text, ImU32 colour = style::text) {
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    if (ImGui::GetItemRectSize().x > ImGui::GetColumnWidth()) tooltip(text);
+}
+
+bool name_cell(const std::string& name, ObjectId id, ObjectId selected, WidgetRegistry& widgets) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(id.value));
+    const bool clicked = ImGui::Selectable(name.c_str(), id == selected, ImGuiSelectableFlags_SpanAllColumns);
+    widgets.note("results." + name);
+    ImGui::PopID();
+    return clicked;
+}
+
+void fact(const char* what, const std::string& value, const char* unit, const char* help) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextColored(style::colour(style::quiet_text), "%s", what);
+    tooltip(help);
+    cell(value);
+    cell(unit, style::quiet_text);
+}
+
+ImU32 colour_of(EffectState state) {
+    return state == EffectState::simulated ? style::good
+           : state == EffectState::skipped ? style::warning
+                                           : style::quiet_text;
+}
+
+std::string milliseconds(double value) { return value < 0.0 ? "–" : short_figure(value) + " ms"; }
+
+}  // namespace
+
+std::optional<ObjectId> results_table(const Solution& solution, ObjectId selected, WidgetRegistry& widgets) {
+    std::optional<ObjectId> clicked;
+    constexpr Column columns[] = {
+        {"Grid or point", 2.2F, "Where illuminance is reported"},
+        {"Mean  lx", 1.0F, "Mean illuminance of the grid, or the point's"},
+        {"Min  lx", 1.0F, "Least of the grid"},
+        {"Max  lx", 1.0F, "Greatest of the grid"},
+        {"U0", 0.7F, "Uniformity: least over mean (EN 12464-1)"},
+        {"Direct  lx", 1.0F, "Straight from luminaires"},
+        {"Error  ± lx", 1.0F, "How wrong a value may be at most: iteration, mesh and skipped effects"},
+    };
+    if (!ImGui::BeginTable("results", 7, table_look)) return clicked;
+    header(columns);
+    for (const GridResult& grid : solution.grids) {
+        const GridFigures figures = figures_of(grid);
+        if (name_cell(display_name(*solution.scene, grid.grid), grid.grid, selected, widgets)) clicked = grid.grid;
+        double direct = 0.0;
+        for (const PointResult& point : grid.points) direct += point.value.direct.value;
+        cell(short_figure(figures.mean));
+        cell(short_figure(figures.min));
+        cell(short_figure(figures.max));
+        cell(fmt::format("{:.2f}", figures.uniformity));
+        cell(figures.points > 0 ? short_figure(direct / figures.points) : "–");
+        cell(short_figure(figures.largest_error));
+    }
+    for (const PointResult& point : solution.points) {
+        if (name_cell(display_name(*solution.scene, point.point), point.point, selected, widgets))
+            clicked = point.point;
+        cell(point.value.inside_solid ? "inside" : short_figure(point.value.total().value));
+        for (int k = 0; k < 3; ++k) cell("", style::quiet_text);
+        cell(short_figure(point.value.direct.value));
+        cell(short_figure(point.value.error.total()));
+    }
+    ImGui::EndTable();
+    return clicked;
+}
+
+void effects_table(const EffectsPlan& plan, bool measured) {
+    constexpr Column columns[] = {
+        {"Effect", 1.3F, "What light does that may be simulated"},
+        {"State", 0.9F, "Skipped effects are bounded, and counted in every error bar"},
+        {"Bound  lx", 0.7F, "What skipping leaves out at any point at most"},
+        {"Cost", 0.7F, "Predicted, or measured once it ran"},
+        {"Why", 4.0F, ""},
+    };
+    if (!ImGui::BeginTable("effects", 5, table_look)) return;
+    header(columns);
+    for (const PlannedEffect& row : plan.effects) {
+        ImGui::TableNextRow();
+        cell(std::string(name_of(row.effect)));
+        cell(std::string(name_of(row.state)), colour_of(row.state));
+        cell(row.state == EffectState::skipped ? short_figure(row.bound_lux) : "–");
+        const bool ran = row.measured_ms >= 0.0;
+        cell(!measured ? "–" : ran ? milliseconds(row.measured_ms) : "≈ " + milliseconds(row.predicted_ms));
+        ImGui::TableNextColumn();
+        ImGui::TextWrapped("%s", row.why.c_str());
+    }
+    ImGui::EndTable();
+}
+
+void energy_table(const Solution& solution, bool measured) {
+    if (!ImGui::BeginTable("energy", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 220.0F * style::scale());
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, 110.0F * style::scale());
+    ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, 60.0F * style::scale());
+    const EnergyBalance& energy = solution.energy;
+    fact("Emitted", short_figure(energy.emitted), "lm", "By luminaires and surfaces that shine by themselves");
+    fact("Absorbed by surfaces", short_figure(energy.absorbed), "lm", "");
+    fact("Left the room", short_figure(energy.escaped), "lm", "Through openings, or met by surfaces' backs");
+    fact("Unaccounted", short_figure(energy.emitted - energy.absorbed - energy.escaped), "lm",
+         "What rounding and patches leave over");
+    fact("Patches", solution.mesh ? std::to_string(solution.mesh->patches.size()) : "–", "", "");
+    fact("Interreflections", std::to_string(solution.bounces), "", "Bounces until the accuracy was reached");
+    fact("Iteration error at most", short_figure(solution.iteration_bound), "lx", "A bound, at any patch");
+    for (const StageTime& stage : solution.times) {
+        if (!measured) break;
+        fact(std::string(name_of(stage.stage)).c_str(), fmt::format("{:.1f}", stage.ms),
+             stage.reused ? "ms, reused" : "ms", "");
+    }
+    ImGui::EndTable();
+    for (const std::string& note : solution.notes) ImGui::TextWrapped("%s", note.c_str());
+}
+
+}  // namespace hanei

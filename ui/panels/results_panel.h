@@ -1,0 +1,20 @@
+/// What came out, as tables.
+#pragma once
+
+#include "engine/solution/solution.h"
+#include "ui/panels/widget_registry.h"
+
+#include <optional>
+
+namespace hanei {
+
+/// One line a grid and a point: mean, least, greatest, uniformity, error. Returns what was clicked.
+std::optional<ObjectId> results_table(const Solution& solution, ObjectId selected, WidgetRegistry& widgets);
+
+/// The effects plan. `measured` shows what each effect took; pictures that shall repeat leave it out.
+void effects_table(const EffectsPlan& plan, bool measured);
+
+/// Where the luminous flux went, and how the answer was reached.
+void energy_table(const Solution& solution, bool measured);
+
+}  // namespace hanei

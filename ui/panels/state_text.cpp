@@ -1,0 +1,111 @@
+#include "ui/panels/state_text.h"
+
+#include "ui/panels/edit.h"
+
+#include <fmt/format.h>
+
+namespace hanei {
+namespace {
+
+std::string json_text(std::string_view text) {
+    std::string json = "\"";
+    for (const char letter : text) {
+        if (letter == '"' || letter == '\\') json += '\\';
+        if (static_cast<unsigned char>(letter) < 0x20)
+            json += fmt::format("\\u{:04x}", static_cast<int>(letter));
+        else
+            json += letter;
+    }
+    return json + '"';
+}
+
+/// Figures stand as they are in JSON; words are quoted.
+std::string json_value(const std::string& text) {
+    if (text == "true" || text == "false") return text;
+    const bool figure = !text.empty() && text.find_first_not_of("0123456789.+-e") == std::string::npos &&
+                        text.find_first_of("0123456789") != std::string::npos;
+    return figure ? text : json_text(text);
+}
+
+const char* truth(bool value) { return value ? "true" : "false"; }
+
+}  // namespace
+
+std::map<std::string, std::string> state_of(const Workbench& workbench) {
+    const Document& document = workbench.document();
+    const LiveStudy& study = workbench.study();
+    const Scene& scene = *document.shown();
+    std::map<std::string, std::string> state;
+    state["frame"] = std::to_string(workbench.frames());
+    state["settled"] = truth(study.settled() && !document.in_gesture());
+    state["fresh"] = truth(study.fresh());
+    state["busy"] = truth(study.busy());
+    state["answer ms"] = fmt::format("{:.1f}", 1000.0 * study.answer_seconds());
+    state["undo depth"] = std::to_string(document.history().depth());
+    state["undo"] = document.history().undo_name();
+    state["saved"] = truth(document.is_saved());
+    state["title"] = document.title();
+    state["message"] = workbench.message();
+    state["dialog"] = std::string(name_of(workbench.dialogs().kind()));
+    state["browser"] = truth(workbench.browser().is_open());
+    state["snap"] = truth(workbench.is_snapping());
+    state["part"] =
+        workbench.viewport().state.four_up ? "four" : std::string(name_of(workbench.viewport().state.options.part));
+    state["scale"] = std::string(name_of(workbench.viewport().state.options.scale));
+    state["probe"] = workbench.viewport().probe() ? workbench.viewport().probe()->text() : "";
+    state["luminaires"] = std::to_string(scene.luminaires.size());
+    state["furniture"] = std::to_string(scene.furniture.size());
+    state["selected"] = display_name(scene, workbench.chosen());
+    if (const auto place = place_of(scene, workbench.chosen())) {
+        state["selected.x"] = fmt::format("{}", place->x);
+        state["selected.y"] = fmt::format("{}", place->y);
+        state["selected.z"] = fmt::format("{}", place->z);
+    }
+    if (!study.solution()) return state;
+    const Solution& solution = *study.solution();
+    state["converged"] = truth(solution.converged);
+    state["bounces"] = std::to_string(solution.bounces);
+    for (const GridResult& grid : solution.grids) {
+        const GridFigures figures = figures_of(grid);
+        const std::string name = "grid " + display_name(*solution.scene, grid.grid);
+        state[name + " mean"] = fmt::format("{}", figures.mean);
+        state[name + " min"] = fmt::format("{}", figures.min);
+        state[name + " uniformity"] = fmt::format("{}", figures.uniformity);
+    }
+    for (const PointResult& point : solution.points) {
+        state["point " + display_name(*solution.scene, point.point)] = fmt::format("{}", point.value.total().value);
+    }
+    return state;
+}
+
+std::string state_json(const Workbench& workbench) {
+    std::string json = "{\n";
+    for (const auto& [name, value] : state_of(workbench))
+        json += fmt::format("  {}: {},\n", json_text(name), json_value(value));
+    json += "  \"widgets\": {";
+    const char* comma = "\n";
+    for (const auto& [name, rect] : workbench.widgets().all()) {
+        json += fmt::format("{}    {}: [{:.1f}, {:.1f}, {:.1f}, {:.1f}]", comma, json_text(name), rect.left, rect.top,
+                            rect.right, rect.bottom);
+        comma = ",\n";
+    }
+    json += "\n  },\n  \"objects\": {";
+    comma = "\n";
+    const Scene& scene = *workbench.document().shown();
+    const auto list = [&](const auto& objects) {
+        for (const auto& object : objects) {
+            const auto place = place_of(scene, object.id);
+            const auto at = place ? workbench.viewport().on_screen(*place) : std::nullopt;
+            if (!at) continue;
+            json +=
+                fmt::format("{}    {}: [{:.1f}, {:.1f}]", comma, json_text(display_name(scene, object.id)), at->x, at->y);
+            comma = ",\n";
+        }
+    };
+    list(scene.luminaires);
+    list(scene.furniture);
+    list(scene.points);
+    return json + "\n  }\n}\n";
+}
+
+}  // namespace hanei

@@ -1,0 +1,120 @@
+#include "ui/panels/view_bar.h"
+
+#include "ui/panels/command.h"
+#include "ui/panels/edit.h"
+#include "ui/panels/form.h"
+#include "ui/panels/style.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace hanei {
+namespace {
+
+/// One of a row of buttons of which one is on.
+bool segment(const char* label, bool on, CommandId id, WidgetRegistry& widgets) {
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? IM_COL32(0xF2, 0xB8, 0x4B, 0x38) : IM_COL32(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, on ? style::accent : style::text);
+    const bool pressed = ImGui::Button(label);
+    ImGui::PopStyleColor(2);
+    const Command& entry = command(id);
+    widgets.note(std::string(entry.name));
+    const std::string chord = to_text(entry.chord);
+    tooltip(std::string(entry.help) + (chord.empty() ? "" : "  (" + chord + ")"));
+    ImGui::SameLine(0.0F, 2.0F * style::scale());
+    return pressed;
+}
+
+void gap() {
+    ImGui::SameLine(0.0F, 10.0F * style::scale());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight();
+    ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 4.0F}, {at.x, at.y + height - 4.0F},
+                                        ImGui::GetColorU32(ImGuiCol_Separator));
+    ImGui::Dummy({1.0F, height});
+    ImGui::SameLine(0.0F, 9.0F * style::scale());
+}
+
+void parts(ViewState& state, WidgetRegistry& widgets) {
+    struct Choice {
+        const char* label;
+        LightPart part;
+        CommandId command;
+    };
+    constexpr std::array choices{
+        Choice{"Total", LightPart::total, CommandId::part_total},
+        Choice{"Direct", LightPart::direct, CommandId::part_direct},
+        Choice{"Interreflected", LightPart::interreflected, CommandId::part_interreflected},
+        Choice{"Unshadowed", LightPart::unshadowed, CommandId::part_unshadowed},
+    };
+    for (const Choice& choice : choices) {
+        if (!segment(choice.label, !state.four_up && state.options.part == choice.part, choice.command, widgets))
+            continue;
+        state.options.part = choice.part;
+        state.four_up = false;
+    }
+    if (segment("Four", state.four_up, CommandId::four_up, widgets)) state.four_up = !state.four_up;
+}
+
+void scale_menu(ViewState& state, const SolutionSnapshot& solution, WidgetRegistry& widgets) {
+    if (ImGui::Button("Scale")) ImGui::OpenPopup("scale");
+    widgets.note("view.scale");
+    tooltip("Steps of the colour scale, isolux lines, exposure");
+    if (!ImGui::BeginPopup("scale")) return;
+    for (const ColourSteps steps : {ColourSteps::logarithmic, ColourSteps::linear, ColourSteps::standard_steps}) {
+        std::string label(name_of(steps));
+        if (label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
+        if (ImGui::MenuItem(label.c_str(), nullptr, state.options.steps == steps)) state.options.steps = steps;
+        widgets.note("scale." + std::string(name_of(steps)));
+    }
+    ImGui::Separator();
+    if (ImGui::MenuItem("Fit to the values", "R", false, solution != nullptr)) {
+        state.options.range = suggested_range(*solution);
+    }
+    widgets.note("scale.fit");
+    ImGui::MenuItem("Isolux lines", "I", &state.options.isolux);
+    widgets.note("scale.isolux");
+    ImGui::MenuItem("Patches", "M", &state.options.mesh_lines);
+    ImGui::MenuItem("Calculation points", "N", &state.options.grids);
+    ImGui::MenuItem("Luminaires", nullptr, &state.options.luminaires);
+    ImGui::Separator();
+    auto exposure = static_cast<float>(state.options.exposure);
+    ImGui::SetNextItemWidth(130.0F * style::scale());
+    if (ImGui::SliderFloat("Exposure", &exposure, -5.0F, 5.0F, "%+.1f stops")) state.options.exposure = exposure;
+    widgets.note("scale.exposure");
+    tooltip("Of the photo-like picture, added to the automatic exposure");
+    ImGui::EndPopup();
+}
+
+void views_menu(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
+    if (ImGui::Button("Views")) ImGui::OpenPopup("views");
+    widgets.note("view.views");
+    tooltip("Cameras kept with the project. Ctrl+K keeps the present one");
+    if (!ImGui::BeginPopup("views")) return;
+    if (scene.views.empty()) ImGui::TextDisabled("None kept yet (Ctrl+K)");
+    for (const View& view : scene.views) {
+        const std::string name = display_name(scene, view.id);
+        if (ImGui::MenuItem((name + "##" + std::to_string(view.id.value)).c_str())) state.camera = camera_of(view);
+        widgets.note("views." + name);
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
+void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution, WidgetRegistry& widgets) {
+    ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+    parts(state, widgets);
+    gap();
+    const bool photo = state.options.scale == Scale::photo;
+    if (segment("False colour", !photo, CommandId::toggle_photo, widgets)) state.options.scale = Scale::false_colour;
+    if (segment("Photo", photo, CommandId::toggle_photo, widgets)) state.options.scale = Scale::photo;
+    gap();
+    scale_menu(state, solution, widgets);
+    ImGui::SameLine(0.0F, 2.0F * style::scale());
+    views_menu(state, scene, widgets);
+    ImGui::PopStyleColor();
+}
+
+}  // namespace hanei

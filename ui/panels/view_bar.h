@@ -1,0 +1,14 @@
+/// The row above the view (which light, in which colours) and the scale over it.
+#pragma once
+
+#include "ui/panels/viewport.h"
+#include "ui/panels/widget_registry.h"
+
+namespace hanei {
+
+void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution, WidgetRegistry& widgets);
+
+/// The colour scale with its range, in the top right corner of the given rectangle. Nothing for photos.
+void legend(ViewState& state, const ScreenRect& view, WidgetRegistry& widgets);
+
+}  // namespace hanei

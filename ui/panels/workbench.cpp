@@ -1,0 +1,84 @@
+#include "ui/panels/workbench.h"
+
+#include "ui/panels/edit.h"
+#include "ui/panels/style.h"
+
+#include <imgui_internal.h>
+
+namespace hanei {
+
+Workbench::Workbench(ProjectContent content, std::filesystem::path file, ProjectDoor door, std::function<void()> wake,
+                     Options how)
+    : how_(how),
+      door_(std::move(door)),
+      document_(std::move(content), std::move(file)),
+      study_(std::move(wake)) {
+    const Scene& scene = *document_.shown();
+    viewport_.show_overview(scene);
+}
+
+std::string Workbench::title() const { return (document_.is_saved() ? "" : "• ") + document_.title() + " – Hanei"; }
+
+void Workbench::read_keys() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool blocked = dialogs_.kind() != Dialogs::Kind::none || browser_.is_open() || viewport_.dragging() ||
+                         io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+    if (blocked) return;
+    for (int k = 1; k < key_count; ++k) {
+        if (!ImGui::IsKeyPressed(k, k >= static_cast<int>(Key::right) && k <= static_cast<int>(Key::page_down)))
+            continue;
+        const Command* entry = command_for({static_cast<Key>(k), io.KeyCtrl, io.KeyShift, io.KeyAlt});
+        if (entry != nullptr && can(entry->id)) carry_out(entry->id);
+    }
+}
+
+void Workbench::propose(Scene scene, std::string step) {
+    document_.propose(std::move(scene), std::move(step));
+    gesture_item_ = form_.finished() ? 0 : ImGui::GetCurrentContext()->ActiveId;
+}
+
+/// A gesture ends when the item it began with is let go.
+void Workbench::settle() {
+    if (!document_.in_gesture() || viewport_.dragging()) return;
+    if (gesture_item_ == 0 || ImGui::GetCurrentContext()->ActiveId != gesture_item_) document_.settle();
+}
+
+void Workbench::follow_study() {
+    const bool unshadowed = viewport_.state.four_up || viewport_.state.options.part == LightPart::unshadowed;
+    study_.follow({document_.shown(), document_.settings(), unshadowed, document_.in_gesture()});
+    ViewState& view = viewport_.state;
+    if (!view.range_fitted && study_.solution() && study_.solution()->complete) {
+        view.options.range = suggested_range(*study_.solution());
+        view.range_fitted = true;
+    }
+}
+
+void Workbench::draw(const ViewPainter& paint) {
+    ++frames_;
+    widgets_.begin_frame();
+    form_.begin_frame();
+    read_keys();
+    follow_study();
+    menu_bar();
+
+    const float scale = style::scale();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float top = ImGui::GetFrameHeight();
+    const float status = 28.0F * scale;
+    const ScreenRect all{0.0F, top, screen.x, screen.y - status};
+    const float left_edge = left_width_ * scale;
+    const float right_edge = all.right - right_width_ * scale;
+    const float bottom_edge = all.bottom - bottom_height_ * scale;
+    // Fields first: what was typed there is finished by a click elsewhere, before that click counts.
+    right({right_edge + 1.0F, all.top, all.right, all.bottom});
+    left({all.left, all.top, left_edge, all.bottom});
+    bottom({left_edge + 1.0F, bottom_edge + 1.0F, right_edge, all.bottom});
+    centre({left_edge + 1.0F, all.top, right_edge, bottom_edge}, paint);
+    settle();
+    follow_study();
+    status_line({0.0F, all.bottom, screen.x, screen.y});
+    dialogs_.draw(widgets_);
+    browser_.draw(widgets_);
+}
+
+}  // namespace hanei

@@ -1,0 +1,93 @@
+/// The whole desktop but the platform: fed by ImGui's input, drawn by ImGui, painted by a ViewPainter.
+#pragma once
+
+#include "ui/panels/command.h"
+#include "ui/panels/dialogs.h"
+#include "ui/panels/document.h"
+#include "ui/panels/edit.h"
+#include "ui/panels/file_browser.h"
+#include "ui/panels/form.h"
+#include "ui/panels/live_study.h"
+#include "ui/panels/viewport.h"
+
+namespace hanei {
+
+/// Needs     a present ImGui context with style::apply() called; one thread. Pictures are exported
+///           by after_frame(), which needs an OpenGL context.
+class Workbench {
+public:
+    struct Options {
+        bool repeatable = false;  ///< show nothing that differs from run to run (measured times)
+    };
+
+    /// `wake` is called from another thread when a frame is due.
+    Workbench(ProjectContent content, std::filesystem::path file, ProjectDoor door, std::function<void()> wake,
+              Options how);
+
+    void draw(const ViewPainter& paint);  ///< between ImGui::NewFrame and ImGui::Render
+    void after_frame();                   ///< after the frame was painted: writes pictures that were asked for
+
+    void carry_out(CommandId id);
+    bool can(CommandId id) const;
+    void ask_to_quit();  ///< as the window's close button does
+    bool wants_to_quit() const { return quits_; }
+
+    void choose(ObjectId id) { selected_ = id; }
+    ObjectId chosen() const { return selected_; }
+
+    const Document& document() const { return document_; }
+    const LiveStudy& study() const { return study_; }
+    const Viewport& viewport() const { return viewport_; }
+    const WidgetRegistry& widgets() const { return widgets_; }
+    const Dialogs& dialogs() const { return dialogs_; }
+    const FileBrowser& browser() const { return browser_; }
+    const std::string& message() const { return message_; }
+    bool is_snapping() const { return snaps_; }
+    long frames() const { return frames_; }
+    std::string title() const;  ///< for the window's frame
+
+private:
+    void read_keys();
+    void follow_study();
+    void settle();
+    void propose(Scene scene, std::string step);
+    void add(Added added, const char* step);
+    void nudge(const Vec3& direction);
+
+    void menu_bar();
+    void centre(const ScreenRect& area, const ViewPainter& paint);
+    void left(const ScreenRect& area);
+    void right(const ScreenRect& area);
+    void bottom(const ScreenRect& area);
+    void status_line(const ScreenRect& area);
+
+    void open_file();
+    void load(const std::filesystem::path& file);
+    void save(bool under_new_name, std::function<void()> then = nullptr);
+    void write(const std::filesystem::path& file, const std::function<void()>& then);
+    void add_luminaire_file();
+    void ask_for_picture();
+    void guarded(std::function<void()> then);  ///< asks about unsaved changes first
+    std::filesystem::path folder() const;
+
+    Options how_;
+    ProjectDoor door_;
+    Document document_;
+    LiveStudy study_;
+    Viewport viewport_;
+    WidgetRegistry widgets_;
+    Form form_{widgets_};
+    Dialogs dialogs_;
+    FileBrowser browser_;
+
+    ObjectId selected_;
+    bool snaps_ = true;
+    bool quits_ = false;
+    unsigned gesture_item_ = 0;  ///< the ImGui item whose gesture the working copy belongs to
+    std::string message_;
+    std::filesystem::path picture_;  ///< to be written after this frame
+    long frames_ = 0;
+    float left_width_ = 224.0F, right_width_ = 292.0F, bottom_height_ = 196.0F;  ///< at scale 1
+};
+
+}  // namespace hanei

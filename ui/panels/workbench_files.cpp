@@ -1,0 +1,96 @@
+#include "engine/scene/faces.h"
+#include "ui/panels/edit.h"
+#include "ui/panels/workbench.h"
+#include "ui/view/offscreen.h"
+
+#include <stdexcept>
+
+namespace hanei {
+
+void Workbench::guarded(std::function<void()> then) {
+    document_.settle();
+    if (document_.is_saved()) return then();
+    dialogs_.ask_unsaved(
+        document_.title(), [this, then] { save(false, then); }, then);
+}
+
+void Workbench::ask_to_quit() {
+    guarded([this] { quits_ = true; });
+}
+
+void Workbench::open_file() {
+    browser_.open({"Open a project", "Open", {".hanei"}, false, folder(), ""},
+                  [this](const std::filesystem::path& file) { load(file); });
+}
+
+void Workbench::load(const std::filesystem::path& file) {
+    Opened<ProjectContent> opened = door_.open(file);
+    if (!opened.findings.empty()) {
+        dialogs_.show_findings(opened.content ? "Opened, with remarks" : "This project cannot be opened",
+                               opened.findings);
+    }
+    if (!opened.content) return;
+    document_ = Document(std::move(*opened.content), file);
+    selected_ = {};
+    viewport_.state.range_fitted = false;
+    viewport_.show_overview(*document_.shown());
+    message_ = "Opened " + file.filename().string();
+}
+
+void Workbench::save(bool under_new_name, std::function<void()> then) {
+    document_.settle();
+    if (!under_new_name && !document_.file().empty()) return write(document_.file(), then);
+    browser_.open({"Save the project", "Save", {".hanei"}, true, folder(), document_.title() + ".hanei"},
+                  [this, then](const std::filesystem::path& file) { write(file, then); });
+}
+
+void Workbench::write(const std::filesystem::path& file, const std::function<void()>& then) {
+    if (const auto fault = door_.save(document_.content(), file)) {
+        dialogs_.show_findings("The project was not saved", {*fault});
+        return;
+    }
+    document_.mark_saved(file);
+    message_ = "Saved " + file.filename().string();
+    if (then) then();
+}
+
+void Workbench::add_luminaire_file() {
+    browser_.open(
+        {"Add a luminaire", "Add", {".ies", ".ldt"}, false, folder(), ""}, [this](const std::filesystem::path& file) {
+            Opened<Photometry> opened = door_.read_luminaire(file);
+            if (!opened.findings.empty()) {
+                dialogs_.show_findings(opened.content ? "Read, with remarks" : "This luminaire file cannot be used",
+                                       opened.findings);
+            }
+            if (opened.content)
+                add(with_measured_luminaire(*document_.shown(), *opened.content), "Add luminaire from file");
+        });
+}
+
+void Workbench::ask_for_picture() {
+    browser_.open({"Export the picture", "Export", {".png"}, true, folder(), document_.title() + ".png"},
+                  [this](const std::filesystem::path& file) { picture_ = file; });
+}
+
+void Workbench::after_frame() {
+    if (picture_.empty()) return;
+    const std::filesystem::path file = std::exchange(picture_, {});
+    std::filesystem::path plain = file;
+    plain.replace_filename(file.stem().string() + "-plain.png");
+    const PixelSize size{1600, static_cast<int>(1600.0 / viewport_.aspect())};
+    PictureRequest request{viewport_.state.camera, viewport_.state.options, size, true, {}};
+    try {
+        const bool four = viewport_.state.four_up;
+        const auto picture = [&] {
+            return four ? render_four_up(study_.solution(), request) : render_picture(study_.solution(), request);
+        };
+        write_png(picture(), file);
+        request.annotated = false;
+        write_png(picture(), plain);
+        message_ = "Exported " + file.filename().string() + " and " + plain.filename().string();
+    } catch (const std::runtime_error& fault) {
+        dialogs_.show_findings("The picture was not written", {{Severity::error, {}, fault.what()}});
+    }
+}
+
+}  // namespace hanei
