@@ -34,17 +34,29 @@ bool refuse_binary(std::string_view text, LuminaireFindings& findings) {
     return true;
 }
 
-bool named_ldt(std::string_view name) {
-    std::string end{name.substr(name.size() - std::min<std::size_t>(name.size(), 4))};
-    return starts_with_word(end, ".LDT");
+bool named(std::string_view name, std::string_view upper_case_ending) {
+    const std::size_t length = std::min(name.size(), upper_case_ending.size());
+    return starts_with_word(name.substr(name.size() - length), upper_case_ending);
+}
+
+void warn_of_other_name(std::string_view format, LuminaireFindings& findings) {
+    findings.warn(1, "file", fmt::format("the content is {}, whatever the name of the file says", format));
 }
 
 Photometry read_by_content(std::string_view text, std::string_view name, LuminaireFindings& findings) {
     if (looks_like_tm33(text)) return read_tm33(text, findings);
-    if (looks_like_ies(text)) return read_ies(text, findings);
-    if (looks_like_ldt(text) || named_ldt(name)) return read_ldt(text, findings);
+    if (looks_like_ies(text)) {
+        if (named(name, ".LDT")) warn_of_other_name("LM-63", findings);
+        return read_ies(text, findings);
+    }
+    if (looks_like_ldt(text) || named(name, ".LDT")) {
+        if (named(name, ".IES")) warn_of_other_name("EULUMDAT", findings);
+        return read_ldt(text, findings);
+    }
     return read_ies(text, findings);
 }
+
+bool is_utf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
 
 LuminaireFileRead unread(const std::filesystem::path& file, std::string message) {
     return {std::nullopt, {{Severity::error, {file.string(), 0, "file", 0}, std::move(message)}}};
@@ -73,6 +85,7 @@ LuminaireFileRead read_luminaire_text(std::string_view bytes, std::string_view n
     LuminaireFindings findings{name};
     const std::string text = decoded_text(bytes);
     if (trimmed(text).empty()) findings.fault(1, "file", "the file is empty");
+    if (is_utf16(bytes)) findings.warn(1, "file", "the text is UTF-16; other programs may not read it");
     Photometry photometry;
     if (!findings.failed() && !refuse_binary(text, findings)) photometry = read_by_content(text, name, findings);
     if (findings.failed()) return {std::nullopt, findings.diagnostics()};

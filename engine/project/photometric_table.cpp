@@ -30,10 +30,10 @@ std::optional<PhotometricSymmetry> known_range(double first, double last) {
     return std::nullopt;
 }
 
-double greatest_step(const std::vector<double>& angles) {
-    double greatest = 0.0;
-    for (std::size_t k = 1; k < angles.size(); ++k) greatest = std::max(greatest, angles[k] - angles[k - 1]);
-    return greatest;
+/// A gap as wide as the first or the last step is no gap: the plane at 360 is left out.
+bool is_a_step(const std::vector<double>& angles, double gap) {
+    const std::size_t n = angles.size();
+    return is_at(gap, angles[1] - angles[0]) || is_at(gap, angles[n - 1] - angles[n - 2]);
 }
 
 std::optional<PhotometricSymmetry> circle_symmetry(const std::vector<double>& angles, int line,
@@ -48,7 +48,7 @@ std::optional<PhotometricSymmetry> circle_symmetry(const std::vector<double>& an
         return known;
     }
     const double gap = first + 360.0 - last;
-    if (gap > 0.0 && gap <= greatest_step(angles) + same_angle) return PhotometricSymmetry::none;
+    if (is_a_step(angles, gap)) return PhotometricSymmetry::none;
     if (gap > 0.0 && gap <= 90.0) {
         findings.warn(line, "horizontal angles",
                       fmt::format("they run from {} to {}; the gap of {} degrees is interpolated", first, last, gap));

@@ -56,8 +56,13 @@ void read_reading(const XmlReader& xml, Gathered& gathered, LuminaireFindings& f
                                  number_in(xml, "IntData", xml.text(), findings)});
 }
 
-/// Name of the element and of the one around it.
-bool is_at(const XmlReader& xml, std::string_view end) { return ("/" + xml.path()).ends_with("/" + std::string{end}); }
+/// True when the path ends with these names.
+bool is_at(const XmlReader& xml, std::string_view end) {
+    const std::string& path = xml.path();
+    if (!path.ends_with(end)) return false;
+    return path.size() == end.size() || path[path.size() - end.size() - 1] == '/';
+});
+}
 
 bool is_type(const XmlReader& xml, char type) {
     const std::string& text = xml.text();
