@@ -1,7 +1,7 @@
 #include "engine/mesh/caps.h"
 
 #include "engine/geometry/polygon.h"
-#include "engine/mesh/contact.h"
+#include "engine/mesh/pieces.h"
 #include "engine/mesh/place_index.h"
 #include "engine/scene/placement.h"
 

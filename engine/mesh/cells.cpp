@@ -1,7 +1,7 @@
 #include "engine/mesh/cells.h"
 
 #include "engine/geometry/polygon.h"
-#include "engine/mesh/contact.h"
+#include "engine/mesh/pieces.h"
 
 #include <algorithm>
 #include <cmath>

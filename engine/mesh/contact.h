@@ -52,10 +52,4 @@ private:
 /// bodies, polyhedra as solids. Owner is the luminaire.
 std::vector<ConvexBody> opaque_openings(const Scene& scene);
 
-/// Convex pieces of a region; the outline itself when it is convex and has no holes.
-std::vector<Polygon> pieces_of(const Region& region, const Vec3& normal);
-
-/// The common part of two convex polygons in one plane, the second counter-clockwise about `normal`.
-Polygon common_part(const Polygon& a, const Polygon& b, const Vec3& normal, double thickness);
-
 }  // namespace hanei

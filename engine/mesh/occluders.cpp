@@ -1,5 +1,6 @@
 #include "engine/geometry/polygon.h"
 #include "engine/mesh/contact.h"
+#include "engine/mesh/pieces.h"
 #include "engine/mesh/mesh.h"
 #include "engine/scene/placement.h"
 
