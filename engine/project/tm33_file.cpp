@@ -61,7 +61,6 @@ bool is_at(const XmlReader& xml, std::string_view end) {
     const std::string& path = xml.path();
     if (!path.ends_with(end)) return false;
     return path.size() == end.size() || path[path.size() - end.size() - 1] == '/';
-});
 }
 
 bool is_type(const XmlReader& xml, char type) {

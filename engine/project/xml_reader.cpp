@@ -4,6 +4,7 @@
 #include "engine/project/number_text.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <optional>
 
 namespace hanei {
@@ -90,7 +91,8 @@ bool XmlReader::read_start_tag() {
     if (!read_attributes(element, inside.substr(blank))) return false;
     if (open_.size() == deepest) return fail("elements are nested deeper than in any photometric file");
     open_.push_back(std::move(element));
-    path_ += (path_.empty() ? "" : "/") + std::string{open_.back().name};
+    if (!path_.empty()) path_ += '/';
+    path_ += open_.back().name;
     advance(end + 1);
     element_ended_ = empty;
     return true;
@@ -101,7 +103,7 @@ bool XmlReader::read_end_tag() {
     if (end == std::string_view::npos) return fail("a tag does not end");
     const std::string_view name = trimmed(rest_.substr(2, end - 2));
     if (open_.empty() || open_.back().name != name)
-        return fail("</" + utf8_text(name) + "> ends what it did not begin");
+        return fail(fmt::format("</{}> ends what it did not begin", utf8_text(name)));
     advance(end + 1);
     element_ended_ = true;
     return true;

@@ -51,18 +51,22 @@ Between around(const std::vector<double>& planes, double plane) {
 
 Between plane_between(const Photometry& photometry, double plane) {
     const std::vector<double>& planes = photometry.horizontal_deg;
+    // Files write 89.999 for 90: what is folded to the mirror plane itself must find the last plane.
+    const auto folded_to = [&planes](double angle) {
+        return between(planes, std::clamp(angle, planes.front(), planes.back()));
+    };
     switch (photometry.symmetry) {
         case PhotometricSymmetry::rotational:
             return {};
         case PhotometricSymmetry::quadrant: {
             const double folded = mirrored(0.0, plane);
-            return between(planes, folded > 90.0 ? 180.0 - folded : folded);
+            return folded_to(folded > 90.0 ? 180.0 - folded : folded);
         }
         case PhotometricSymmetry::plane_0:
             if (photometry.type != PhotometricType::C) return between(planes, std::abs(plane));
             [[fallthrough]];
         case PhotometricSymmetry::plane_90:
-            return between(planes, mirrored(planes.front(), plane));
+            return folded_to(mirrored(planes.front(), plane));
         case PhotometricSymmetry::none:
             break;
     }

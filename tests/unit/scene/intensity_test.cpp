@@ -172,6 +172,14 @@ TEST(LuminousFlux, is_the_integral_of_the_intensity_interpolated) {
     EXPECT_NEAR(downward_flux(coarse).value, down, 1e-4 * sum);
 }
 
+TEST(Intensity, a_last_plane_at_89_999_is_the_plane_at_90) {
+    Photometry photometry =
+        table(PhotometricType::C, PhotometricSymmetry::quadrant, steps(0, 90, 45), steps(0, 90, 30), uniform);
+    photometry.horizontal_deg.back() = 89.999;
+    EXPECT_EQ(intensity(photometry, {0, 1, 0}).value, 100.0);
+    EXPECT_EQ(intensity(photometry, {0, -1, 0}).value, 100.0);
+}
+
 TEST(Intensity, the_peak_is_named_with_its_place) {
     Photometry photometry =
         table(PhotometricType::C, PhotometricSymmetry::quadrant, steps(0, 90, 45), steps(0, 90, 30), uniform);
