@@ -1,6 +1,8 @@
 /// The window's entrance: opens a project on the desktop, or plays a script on it without one.
 #pragma once
 
+#include "ui/panels/project_door.h"
+
 #include <filesystem>
 #include <optional>
 
@@ -17,5 +19,8 @@ struct DesktopRequest {
 /// Returns   an exit code of the command line: 0 done, 1 a script's expectation failed, 2 the project
 ///           or the script cannot be read, 3 no window or no OpenGL.
 int run_desktop(const DesktopRequest& request);
+
+/// The window's way to project and luminaire files.
+ProjectDoor project_door();
 
 }  // namespace hanei

@@ -1,0 +1,75 @@
+#include "app/desktop.h"
+
+#include "app/exit_code.h"
+#include "app/files.h"
+#include "engine/project/luminaire_file.h"
+#include "engine/project/project_file.h"
+#include "ui/panels/edit.h"
+#include "ui/window/script.h"
+#include "ui/window/window.h"
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+namespace hanei {
+namespace {
+
+Opened<ProjectContent> open_content(const std::filesystem::path& file) {
+    ProjectRead read = read_project(file);
+    Opened<ProjectContent> opened{{}, std::move(read.findings)};
+    if (read.project) opened.content = ProjectContent{std::move(read.project->scene), read.project->settings};
+    return opened;
+}
+
+int play(const std::filesystem::path& file, ProjectContent content, const DesktopRequest& request) {
+    std::ifstream stream(file, std::ios::binary);
+    std::stringstream text;
+    text << stream.rdbuf();
+    if (!stream) {
+        std::cerr << file.string() << ": this script cannot be read\n";
+        return exit_bad_input;
+    }
+    Driver driver({std::move(content), request.project, project_door(), {request.width, request.height}});
+    const auto fault = play_script(text.str(), file.string(), driver, std::cout);
+    if (!fault) return exit_done;
+    std::cerr << to_text(*fault) << '\n';
+    return exit_answer_is_no;
+}
+
+}  // namespace
+
+ProjectDoor project_door() {
+    ProjectDoor door;
+    door.open = open_content;
+    door.save = [](const ProjectContent& content, const std::filesystem::path& file) {
+        return write_project({content.scene, content.settings}, file);
+    };
+    door.read_luminaire = [](const std::filesystem::path& file) {
+        LuminaireFileRead read = read_luminaire_file(file);
+        return Opened<Photometry>{std::move(read.photometry), std::move(read.findings)};
+    };
+    return door;
+}
+
+int run_desktop(const DesktopRequest& request) {
+    ProjectContent content{empty_room(), {}};
+    if (!request.project.empty()) {
+        const std::optional<Project> project = open_project(request.project);
+        if (!project) return exit_bad_input;
+        content = {project->scene, project->settings};
+    }
+    try {
+        if (request.script) return play(*request.script, std::move(content), request);
+        run_window(
+            {std::move(content), request.project, project_door(), {request.width, request.height}, request.state_file});
+        return exit_done;
+    } catch (const std::runtime_error& fault) {
+        std::cerr << fault.what() << '\n';
+        return exit_machine;
+    }
+}
+
+}  // namespace hanei

@@ -1,0 +1,57 @@
+#include "ui/window/desk.h"
+
+#include "ui/panels/style.h"
+
+#include <algorithm>
+#include <backends/imgui_impl_opengl3.h>
+#include <glad/gl.h>
+#include <imgui.h>
+#include <stdexcept>
+
+namespace hanei {
+
+Desk::Desk(Setup setup) : context_(ImGui::CreateContext()) {
+    ImGui::SetCurrentContext(context_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;               // the layout is the workbench's own
+    io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window drawing
+    io.ConfigDragClickToInputText = true;   // a click on a figure types, a drag slides it
+    io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+    map_keys(io);
+    style::apply(setup.scale);
+    if (!ImGui_ImplOpenGL3_Init("#version 330"))
+        throw std::runtime_error("The window's OpenGL drawing does not start.");
+    textures_ = std::make_unique<ViewTextures>();
+    workbench_ = std::make_unique<Workbench>(std::move(setup.content), std::move(setup.file), std::move(setup.door),
+                                             std::move(setup.wake), Workbench::Options{setup.repeatable});
+}
+
+Desk::~Desk() {
+    ImGui::SetCurrentContext(context_);
+    workbench_.reset();
+    textures_.reset();
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext(context_);
+}
+
+bool Desk::wants_text() const { return ImGui::GetIO().WantTextInput; }
+
+void Desk::frame(PixelSize size, float seconds) {
+    ImGui::SetCurrentContext(context_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
+    io.DeltaTime = std::max(seconds, 1e-4F);  // ImGui refuses frames without duration
+    input_.feed(io);
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    workbench_->draw([this](const ViewRequest& request) { return textures_->paint(request); });
+    ImGui::Render();
+    glViewport(0, 0, size.width, size.height);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0.09F, 0.098F, 0.114F, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    workbench_->after_frame();
+}
+
+}  // namespace hanei

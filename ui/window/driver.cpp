@@ -1,0 +1,211 @@
+#include "ui/window/driver.h"
+
+#include "ui/panels/edit.h"
+
+#include <chrono>
+#include <cmath>
+#include <glad/gl.h>
+
+namespace hanei {
+namespace {
+
+constexpr float frame_seconds = 1.0F / 60.0F;
+constexpr int drag_steps = 12;
+constexpr int settling_frames = 3;  // as the window draws after input
+
+ImVec2 middle(const ScreenRect& rect) { return {std::round(rect.x()), std::round(rect.y())}; }
+
+}  // namespace
+
+Driver::Driver(Setup setup) : size_(setup.size) {
+    glGenFramebuffers(1, &framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glGenRenderbuffers(1, &colour_);
+    glBindRenderbuffer(GL_RENDERBUFFER, colour_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size_.width, size_.height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
+    const auto wake = [this] {
+        const std::lock_guard lock(mutex_);
+        woken_ = true;
+        wakes_.notify_all();
+    };
+    desk_ = std::make_unique<Desk>(
+        Desk::Setup{std::move(setup.content), std::move(setup.file), std::move(setup.door), wake, setup.scale, true});
+    frames(settling_frames);
+}
+
+Driver::~Driver() {
+    desk_.reset();
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteRenderbuffers(1, &colour_);
+}
+
+void Driver::frames(int count) {
+    for (int k = 0; k < count; ++k) {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+        desk_->frame(size_, frame_seconds);
+    }
+}
+
+void Driver::run_queue() {
+    while (!desk_->input().empty()) frames(1);
+    frames(settling_frames);
+}
+
+bool Driver::wait_settled(double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    const auto settled = [&] { return workbench().study().settled() && !workbench().document().in_gesture(); };
+    frames(1);
+    while (!settled()) {
+        std::unique_lock lock(mutex_);
+        wakes_.wait_for(lock, std::chrono::milliseconds(20), [&] { return woken_; });
+        woken_ = false;
+        lock.unlock();
+        frames(1);
+        if (Clock::now() > end) return false;
+    }
+    frames(settling_frames);
+    return true;
+}
+
+void Driver::point_at(float x, float y) {
+    desk_->input().mouse_move(x, y);
+    run_queue();
+}
+
+void Driver::button(int which, bool down) {
+    desk_->input().mouse_button(which, down);
+    run_queue();
+}
+
+void Driver::wheel(float notches) {
+    desk_->input().wheel(notches);
+    run_queue();
+}
+
+Driver::Fault Driver::point_at(const std::string& widget) {
+    const ScreenRect* rect = workbench().widgets().find(widget);
+    if (rect == nullptr) return "there is no widget \"" + widget + "\" on the screen";
+    const ImVec2 at = middle(*rect);
+    point_at(at.x, at.y);
+    return {};
+}
+
+Driver::Fault Driver::click(const std::string& widget, int which) {
+    if (Fault fault = point_at(widget); !fault.empty()) return fault;
+    button(which, true);
+    button(which, false);
+    return {};
+}
+
+Driver::Fault Driver::double_click(const std::string& widget) {
+    if (Fault fault = point_at(widget); !fault.empty()) return fault;
+    for (int k = 0; k < 2; ++k) {
+        desk_->input().mouse_button(0, true);
+        desk_->input().mouse_button(0, false);
+    }
+    run_queue();
+    return {};
+}
+
+void Driver::drag_path(ImVec2 from, ImVec2 to) {
+    point_at(from.x, from.y);
+    button(0, true);
+    for (int k = 1; k <= drag_steps; ++k) {
+        const float share = static_cast<float>(k) / drag_steps;
+        desk_->input().mouse_move(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
+        frames(1);
+    }
+    button(0, false);
+}
+
+Driver::Fault Driver::drag(const std::string& widget, float dx, float dy) {
+    const ScreenRect* rect = workbench().widgets().find(widget);
+    if (rect == nullptr) return "there is no widget \"" + widget + "\" on the screen";
+    const ImVec2 from = middle(*rect);
+    drag_path(from, {from.x + dx, from.y + dy});
+    return {};
+}
+
+std::optional<ImVec2> Driver::object_on_screen(const std::string& object) const {
+    const Scene& scene = *workbench().document().shown();
+    const auto place = place_of(scene, object_named(scene, object));
+    if (!place) return std::nullopt;
+    return workbench().viewport().on_screen(*place);
+}
+
+Driver::Fault Driver::point_at_object(const std::string& object) {
+    const auto at = object_on_screen(object);
+    if (!at) return "there is no object \"" + object + "\" in the view";
+    point_at(at->x, at->y);
+    return {};
+}
+
+Driver::Fault Driver::click_object(const std::string& object) {
+    if (Fault fault = point_at_object(object); !fault.empty()) return fault;
+    button(0, true);
+    button(0, false);
+    return {};
+}
+
+Driver::Fault Driver::drag_object(const std::string& object, const Vec3& by) {
+    const ObjectId id = object_named(*workbench().document().shown(), object);
+    if (workbench().chosen() != id) {
+        if (Fault fault = click_object(object); !fault.empty()) return fault;
+        if (workbench().chosen() != id) return "a click on \"" + object + "\" chose something else";
+    }
+    const Vec3 start = *place_of(*workbench().document().shown(), id);
+    const bool upwards = by.z != 0.0;
+    const auto from = workbench().viewport().on_screen(start);
+    const auto to = workbench().viewport().on_screen(start + by);
+    if (!from || !to) return "\"" + object + "\" would leave the view";
+    ImVec2 press = *from;
+    if (upwards) {
+        const ScreenRect* tip = workbench().widgets().find("handle.z");
+        if (tip == nullptr) return "the z arrow is not on the screen";
+        press = {tip->x(), tip->y()};
+    }
+    drag_path(press, {press.x + to->x - from->x, press.y + to->y - from->y});
+    return place_of(*workbench().document().shown(), id) == start ? "\"" + object + "\" did not move" : Fault{};
+}
+
+Driver::Fault Driver::press(std::string_view text) {
+    const std::optional<Chord> chord = chord_of(text);
+    if (!chord) return "there is no key \"" + std::string(text) + "\"";
+    InputQueue& input = desk_->input();
+    const auto modifiers = [&](bool down) {
+        if (chord->control) input.key(Key::left_control, down);
+        if (chord->shift) input.key(Key::left_shift, down);
+        if (chord->alt) input.key(Key::left_alt, down);
+    };
+    modifiers(true);
+    input.key(chord->key, true);
+    input.key(chord->key, false);
+    modifiers(false);
+    run_queue();
+    return {};
+}
+
+void Driver::type(std::string_view text) {
+    desk_->input().text(text);
+    run_queue();
+}
+
+Image Driver::picture() const {
+    Image image{size_.width, size_.height, {}};
+    const std::size_t row = 4 * static_cast<std::size_t>(size_.width);
+    image.rgba.resize(row * static_cast<std::size_t>(size_.height));
+    std::vector<std::uint8_t> upside_down(image.rgba.size());
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size_.height); ++y) {
+        const auto* from = upside_down.data() + (static_cast<std::size_t>(size_.height) - 1 - y) * row;
+        std::copy(from, from + row, image.rgba.data() + y * row);
+    }
+    for (std::size_t k = 3; k < image.rgba.size(); k += 4) image.rgba[k] = 255;  // a window is opaque
+    return image;
+}
+
+}  // namespace hanei

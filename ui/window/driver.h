@@ -1,0 +1,67 @@
+/// Drives a desk without a window: aims at widgets by name and at objects by place, in made-up time,
+/// so that two runs give the same pictures bit for bit.
+#pragma once
+
+#include "ui/view/offscreen.h"
+#include "ui/window/desk.h"
+
+#include <condition_variable>
+#include <mutex>
+
+namespace hanei {
+
+class Driver {
+public:
+    struct Setup {
+        ProjectContent content;
+        std::filesystem::path file;
+        ProjectDoor door;
+        PixelSize size{1280, 800};
+        float scale = 1.0F;
+    };
+
+    /// Throws std::runtime_error when there is no OpenGL without a display.
+    explicit Driver(Setup setup);
+    ~Driver();
+
+    Workbench& workbench() { return desk_->workbench(); }
+    const Workbench& workbench() const { return desk_->workbench(); }
+
+    void frames(int count);
+
+    /// Frames until the shown scene's complete answer is on the screen. False after `seconds`.
+    bool wait_settled(double seconds = 120.0);
+
+    // Each returns what went wrong, or nothing.
+    using Fault = std::string;
+    Fault click(const std::string& widget, int button = 0);
+    Fault double_click(const std::string& widget);
+    Fault point_at(const std::string& widget);
+    Fault drag(const std::string& widget, float dx, float dy);  ///< pixels
+    Fault click_object(const std::string& object);              ///< in the view
+    Fault point_at_object(const std::string& object);
+    Fault drag_object(const std::string& object, const Vec3& by);  ///< metres: in the plan, or by the z arrow
+    Fault press(std::string_view chord);
+    void type(std::string_view text);
+    void wheel(float notches);
+    void point_at(float x, float y);
+    void button(int which, bool down);
+
+    Image picture() const;  ///< of the last frame
+
+private:
+    std::optional<ImVec2> object_on_screen(const std::string& object) const;
+    void run_queue();
+    void drag_path(ImVec2 from, ImVec2 to);
+
+    std::mutex mutex_;
+    std::condition_variable wakes_;
+    bool woken_ = false;
+    OffscreenContext context_;
+    PixelSize size_;
+    unsigned framebuffer_ = 0;
+    unsigned colour_ = 0;
+    std::unique_ptr<Desk> desk_;
+};
+
+}  // namespace hanei

@@ -1,0 +1,167 @@
+#include "ui/window/script.h"
+
+#include "ui/panels/state_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <ostream>
+#include <sstream>
+#include <vector>
+
+namespace hanei {
+namespace {
+
+using Words = std::vector<std::string>;
+using Fault = Driver::Fault;
+
+Words words_of(const std::string& line) {
+    Words words;
+    for (std::size_t at = 0; at < line.size();) {
+        if (line[at] == ' ' || line[at] == '\t' || line[at] == '\r') {
+            ++at;
+        } else if (line[at] == '#') {
+            break;
+        } else if (line[at] == '"') {
+            const std::size_t end = std::min(line.find('"', at + 1), line.size());
+            words.push_back(line.substr(at + 1, end - at - 1));
+            at = end + 1;
+        } else {
+            const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
+            words.push_back(line.substr(at, end - at));
+            at = end;
+        }
+    }
+    return words;
+}
+
+std::optional<double> figure_of(const std::string& word) {
+    double value = 0.0;
+    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (fault != std::errc() || end != word.data() + word.size()) return std::nullopt;
+    return value;
+}
+
+class Player {
+public:
+    Player(Driver& driver, std::ostream& out) : driver_(driver), out_(out) {}
+
+    Fault play(const Words& words) {
+        const std::string& verb = words[0];
+        const auto is = [&](const char* name, std::size_t count) { return verb == name && words.size() == count; };
+        const bool object = words.size() > 2 && words[1] == "object";
+        if (verb == "click" && object) return driver_.click_object(words[2]);
+        if (is("click", 2)) return driver_.click(words[1]);
+        if (is("double", 2)) return driver_.double_click(words[1]);
+        if (verb == "point") return point(words);
+        if (verb == "drag") return drag(words);
+        if (is("key", 2)) return driver_.press(words[1]);
+        if (is("type", 2)) return driver_.type(words[1]), Fault{};
+        if (is("wait", 2)) return wait(words[1]);
+        if (is("shot", 2)) return write_png(driver_.picture(), words[1]), Fault{};
+        if (is("print", 2)) return print(words[1]);
+        if (is("remember", 2)) return remembered_[words[1]] = state(words[1]), Fault{};
+        if (is("expect-changed", 2)) return compare(words[1], false);
+        if (is("expect-same", 2)) return compare(words[1], true);
+        if (verb == "expect") return expect(words);
+        const auto notches = is("wheel", 2) ? figure_of(words[1]) : std::nullopt;
+        if (notches) return driver_.wheel(static_cast<float>(*notches)), Fault{};
+        return "\"" + verb + "\" with " + std::to_string(words.size() - 1) + " words after it means nothing";
+    }
+
+private:
+    Fault point(const Words& words) {
+        if (words.size() == 2) return driver_.point_at(words[1]);
+        if (words.size() != 3) return "point wants a widget, an object or two figures";
+        if (words[1] == "object") return driver_.point_at_object(words[2]);
+        const auto x = figure_of(words[1]);
+        const auto y = figure_of(words[2]);
+        if (!x || !y) return "point wants a widget, an object or two figures";
+        driver_.point_at(static_cast<float>(*x), static_cast<float>(*y));
+        return {};
+    }
+
+    Fault drag(const Words& words) {
+        const bool object = words.size() == 7 && words[1] == "object";
+        const std::size_t by = object ? 3 : 2;
+        if (words.size() != (object ? 7U : 5U) || words[by] != "by")
+            return "drag wants WIDGET by DX DY, or object NAME by DX DY DZ";
+        Vec3 figures{0.0};
+        for (std::size_t k = by + 1; k < words.size(); ++k) {
+            const auto figure = figure_of(words[k]);
+            if (!figure) return "\"" + words[k] + "\" is no figure";
+            figures[static_cast<int>(k - by - 1)] = *figure;
+        }
+        if (object) return driver_.drag_object(words[2], figures);
+        return driver_.drag(words[1], static_cast<float>(figures.x), static_cast<float>(figures.y));
+    }
+
+    Fault wait(const std::string& what) {
+        if (what == "converged") return driver_.wait_settled() ? Fault{} : "no complete answer within two minutes";
+        const auto count = figure_of(what);
+        if (!count) return "wait wants \"converged\" or a number of frames";
+        driver_.frames(static_cast<int>(*count));
+        return {};
+    }
+
+    std::string state(const std::string& name) const {
+        const auto all = state_of(driver_.workbench());
+        const auto found = all.find(name);
+        return found == all.end() ? std::string() : found->second;
+    }
+
+    Fault print(const std::string& what) {
+        if (what == "state")
+            out_ << state_json(driver_.workbench());
+        else if (what == "widgets")
+            for (const auto& [name, rect] : driver_.workbench().widgets().all()) out_ << name << '\n';
+        else
+            out_ << what << ": " << state(what) << '\n';
+        return {};
+    }
+
+    Fault compare(const std::string& name, bool same) {
+        const auto found = remembered_.find(name);
+        if (found == remembered_.end()) return "\"" + name + "\" was not remembered";
+        const std::string now = state(name);
+        if ((now == found->second) == same) return {};
+        return "\"" + name + "\" was " + found->second + (same ? ", and is " + now : ", and still is");
+    }
+
+    Fault expect(const Words& words) {
+        if (words.size() != 3 && !(words.size() == 5 && words[3] == "within"))
+            return "expect wants NAME VALUE [within TOLERANCE]";
+        const std::string now = state(words[1]);
+        const auto wanted = figure_of(words[2]);
+        const auto got = figure_of(now);
+        const auto tolerance = words.size() == 5 ? figure_of(words[4]) : std::optional(1e-9);
+        const bool fits = wanted && got && tolerance ? std::abs(*wanted - *got) <= *tolerance : now == words[2];
+        return fits ? Fault{} : "\"" + words[1] + "\" is \"" + now + "\", not \"" + words[2] + "\"";
+    }
+
+    Driver& driver_;
+    std::ostream& out_;
+    std::map<std::string, std::string> remembered_;
+};
+
+}  // namespace
+
+std::optional<Diagnostic> play_script(std::string_view text, const std::string& file, Driver& driver,
+                                      std::ostream& out) {
+    Player player(driver, out);
+    std::istringstream lines{std::string(text)};
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        const Words words = words_of(line);
+        if (words.empty()) continue;
+        Fault fault;
+        try {
+            fault = player.play(words);
+        } catch (const std::runtime_error& failure) {
+            fault = failure.what();
+        }
+        if (!fault.empty()) return Diagnostic{Severity::error, {file, number, words[0]}, fault};
+    }
+    return std::nullopt;
+}
+
+}  // namespace hanei

@@ -1,0 +1,35 @@
+/// Scripts that use the desk as a person does.
+///
+///     click WIDGET                  a widget by its name (print widgets lists them)
+///     click object NAME             an object where it stands in the view
+///     double WIDGET                 a double click
+///     point WIDGET | point object NAME | point X Y
+///     drag WIDGET by DX DY          pixels
+///     drag object NAME by DX DY DZ  metres: in the plan, or up with the z arrow
+///     wheel NOTCHES
+///     key CHORD                     Ctrl+Z, Delete, F1
+///     type TEXT
+///     wait converged | wait FRAMES
+///     shot FILE.png                 the whole window
+///     print state | print widgets | print NAME
+///     expect NAME VALUE [within TOLERANCE]
+///     remember NAME                 then: expect-changed NAME, expect-same NAME
+///
+/// Words with spaces stand in double quotes; # begins a remark.
+#pragma once
+
+#include "engine/base/diagnostic.h"
+#include "ui/window/driver.h"
+
+#include <iosfwd>
+#include <map>
+#include <string_view>
+
+namespace hanei {
+
+/// Plays the script until its end or its first fault, which it returns with its line.
+/// `out` takes what is printed. Files are relative to the working folder.
+std::optional<Diagnostic> play_script(std::string_view text, const std::string& file, Driver& driver,
+                                      std::ostream& out);
+
+}  // namespace hanei
