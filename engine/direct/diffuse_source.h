@@ -1,0 +1,38 @@
+/// Luminous polygons of uniform exitance: a panel, a window, the faces of a luminous solid.
+#pragma once
+
+#include "engine/geometry/configuration_factor.h"
+#include "engine/geometry/occluders.h"
+
+#include <vector>
+
+namespace hanei {
+
+struct LuminousFace {
+    Region region;
+    double exitance = 0.0;  ///< lm/m2
+};
+
+class DiffuseSource {
+public:
+    /// `hide_each_other`: the faces are those of a solid that is not convex.
+    DiffuseSource(std::vector<LuminousFace> faces, bool hide_each_other);
+
+    double unobstructed(const Receiver& receiver) const;
+
+    /// `own_body`: ObjectId value whose bodies are the source itself and hide nothing of it.
+    double obstructed(const Receiver& receiver, const OccluderSet& occluders, std::uint32_t own_body) const;
+
+private:
+    struct Face {
+        LuminousFace luminous;
+        std::vector<Polygon> pieces;  ///< convex
+        Vec3 front{0.0};
+    };
+    bool may_light(const Face& face, const Receiver& receiver) const;
+
+    std::vector<Face> faces_;
+    OccluderSet own_;
+};
+
+}  // namespace hanei

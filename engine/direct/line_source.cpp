@@ -1,0 +1,46 @@
+#include "engine/direct/line_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hanei {
+
+namespace {
+
+/// x - sin x for 0 <= x <= 2 pi without cancellation.
+double angle_minus_sine(double x) {
+    if (x > 0.6) return x - std::sin(x);
+    const double s = x * x;  // the first term left out is below 1e-17 of the first
+    return x * s / 6.0 * (1.0 - s / 20.0 * (1.0 - s / 42.0 * (1.0 - s / 72.0 * (1.0 - s / 110.0 * (1.0 - s / 156.0)))));
+}
+
+}  // namespace
+
+double LineSource::unobstructed(const Receiver& receiver, double first, double last) const {
+    const Vec3 whole = to - from;
+    const double length = glm::length(whole);
+    if (!(length > 0.0)) return 0.0;
+    const Vec3 along = whole / length;
+    Vec3 a = from - receiver.position + first * whole;
+    Vec3 b = from - receiver.position + last * whole;
+    const double height_a = glm::dot(a, receiver.normal);
+    const double height_b = glm::dot(b, receiver.normal);
+    if (height_a <= 0.0 && height_b <= 0.0) return 0.0;
+    if (height_a < 0.0) a += (height_a / (height_a - height_b)) * (b - a);
+    if (height_b < 0.0) b += (height_b / (height_b - height_a)) * (a - b);
+
+    const Vec3 foot = glm::cross(along, glm::cross(a, along));
+    const double h = glm::length(foot);
+    if (!(h > 1e-14 * (glm::length(a) + glm::length(b)))) return 0.0;
+    const double start = glm::dot(a, along);
+    const double end = glm::dot(b, along);
+    const double span = end - start;
+    const double squares = glm::dot(a, a) * glm::dot(b, b);
+    const double twice_angle = 2.0 * std::atan2(h * span, h * h + start * end);
+    const double across = angle_minus_sine(twice_angle) / (4.0 * h * h * h) + span / squares;
+    const double lengthwise = span * (start + end) / (2.0 * squares);
+    const double sum = glm::dot(foot, receiver.normal) * across + glm::dot(along, receiver.normal) * lengthwise;
+    return std::max(0.0, normal_intensity * h * sum);
+}
+
+}  // namespace hanei

@@ -1,0 +1,66 @@
+#include "engine/direct/measured_source.h"
+
+#include "engine/direct/candidates.h"
+#include "engine/direct/opening_integral.h"
+#include "engine/geometry/polygon.h"
+#include "engine/geometry/visible_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hanei {
+
+namespace {
+
+/// The angle over which the intensity would change by its peak at its fastest change: about 1 for a
+/// cosine distribution, the width of the flank for a narrow beam.
+double finest_beam(const Photometry& photometry) {
+    const double peak = std::ranges::max(photometry.candela);
+    if (!(peak > 0.0)) return 1.0;
+    const std::size_t angles = photometry.vertical_deg.size();
+    double fastest = peak;
+    for (std::size_t k = 0; k < photometry.candela.size(); ++k) {
+        if (k % angles == 0) continue;
+        const double step = photometry.vertical_deg[k % angles] - photometry.vertical_deg[k % angles - 1];
+        const double change = std::abs(photometry.candela[k] - photometry.candela[k - 1]);
+        fastest = std::max(fastest, change / (step * std::numbers::pi / 180.0));
+    }
+    return peak / fastest;
+}
+
+}  // namespace
+
+MeasuredSource::MeasuredSource(const Placement& placed, const Region& opening, Photometry photometry, double scale)
+    : rotation_(placed.rotation),
+      pieces_(convex_pieces(opening)),
+      outline_(opening.outline),
+      photometry_(std::move(photometry)),
+      scale_over_area_(scale / glm::length(vector_area(opening))),
+      finest_beam_(finest_beam(photometry_)) {}
+
+double MeasuredSource::illuminance(const Receiver& receiver, const OccluderSet* occluders,
+                                   std::uint32_t own_body) const {
+    thread_local std::vector<BodyIndex> others;
+    others.clear();
+    if (occluders) candidates(*occluders, receiver.position, outline_, own_body, others);
+    OpeningIntegral integral(photometry_, rotation_, receiver, finest_beam_);
+    for (const Polygon& piece : pieces_) {
+        const bool wholly_above = std::ranges::all_of(
+            piece, [&](const Vec3& corner) { return glm::dot(corner - receiver.position, receiver.normal) >= 0.0; });
+        if (wholly_above && others.empty()) {
+            integral.add(piece);
+            continue;
+        }
+        const Polygon risen = wholly_above ? piece : clipped(piece, {receiver.position, receiver.normal}, 0.0);
+        if (risen.empty()) continue;
+        if (others.empty()) {
+            integral.add(risen);
+        } else {
+            for (const Polygon& part : visible_part(risen, receiver.position, *occluders, others)) integral.add(part);
+        }
+    }
+    return scale_over_area_ * integral.value();
+}
+
+}  // namespace hanei

@@ -1,0 +1,43 @@
+/// A luminous opening every element of which radiates a measured distribution.
+#pragma once
+
+#include "engine/geometry/configuration_factor.h"
+#include "engine/geometry/occluders.h"
+#include "engine/scene/placement.h"
+#include "engine/scene/scene.h"
+
+#include <vector>
+
+namespace hanei {
+
+/// An element dA at x gives  k I(direction) cos(theta) / (A r^2) dA:  the luminance k I / (A cos) of
+/// the near-field model, I the file's intensity in the luminaire's frame. The visible part of the
+/// opening is cut out exactly and integrated by Gauss points, split where two levels disagree.
+class MeasuredSource {
+public:
+    /// `opening` in scene coordinates; `scale` is k.
+    MeasuredSource(const Placement& placed, const Region& opening, Photometry photometry, double scale);
+
+    double unobstructed(const Receiver& receiver) const { return illuminance(receiver, nullptr, 0); }
+    double obstructed(const Receiver& receiver, const OccluderSet& occluders, std::uint32_t own_body) const {
+        return illuminance(receiver, &occluders, own_body);
+    }
+
+private:
+    double illuminance(const Receiver& receiver, const OccluderSet* occluders, std::uint32_t own_body) const;
+
+    Mat3 rotation_;
+    std::vector<Polygon> pieces_;  ///< convex
+    Polygon outline_;
+    Photometry photometry_;
+    double scale_over_area_ = 0.0;
+    double finest_beam_ = 1.0;  ///< rad over which the intensity changes by its peak at the fastest
+};
+
+/// The file's opening as a flat polygon in the luminaire's frame, facing down: rectangles and boxes
+/// as the rectangle, rounds (cylinders, spheres) as a 32-sided polygon of their circle's or
+/// ellipse's area, an upright disc facing plane 0. Lamps without width get a hundredth of their
+/// length. Empty for a point.
+Polygon measured_opening(const MeasuredOpeningSize& size);
+
+}  // namespace hanei

@@ -1,0 +1,28 @@
+#include "engine/direct/point_source.h"
+
+#include "engine/scene/intensity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hanei {
+
+double PointSource::candela(const Vec3& direction) const {
+    if (std::holds_alternative<Diffuse>(shape_)) return full_;
+    const Vec3 local = direction * placed_.rotation;  // a row times a rotation: its inverse
+    if (const auto* beam = std::get_if<CosinePower>(&shape_)) {
+        return local.z < 0.0 ? full_ * std::pow(-local.z, beam->exponent) : 0.0;
+    }
+    return full_ * intensity(std::get<Photometry>(shape_), local).value;
+}
+
+double PointSource::unobstructed(const Receiver& receiver) const {
+    const Vec3 to_source = placed_.position - receiver.position;
+    const double square = glm::dot(to_source, to_source);
+    const double height = glm::dot(to_source, receiver.normal);
+    if (!(height > 0.0) || !(square > 0.0)) return 0.0;
+    const double distance = std::sqrt(square);
+    return candela(-to_source / distance) * height / (square * distance);
+}
+
+}  // namespace hanei

@@ -1,0 +1,35 @@
+/// A luminaire small enough to be a point.
+#pragma once
+
+#include "engine/geometry/configuration_factor.h"
+#include "engine/scene/placement.h"
+#include "engine/scene/scene.h"
+
+#include <variant>
+
+namespace hanei {
+
+/// Shines `full` candela all around, `full` cos^exponent below its horizon, or `full` times the
+/// intensities of a table.
+class PointSource {
+public:
+    PointSource(const Placement& placed, double exponent, double full)
+        : placed_(placed), shape_(CosinePower{exponent}), full_(full) {}
+    PointSource(const Placement& placed, double full) : placed_(placed), shape_(Diffuse{}), full_(full) {}
+    PointSource(const Placement& placed, Photometry table, double full)
+        : placed_(placed), shape_(std::move(table)), full_(full) {}
+
+    const Vec3& position() const { return placed_.position; }
+
+    /// Inverse square law, nothing in between; 0 at the source itself.
+    double unobstructed(const Receiver& receiver) const;
+
+private:
+    double candela(const Vec3& direction) const;
+
+    Placement placed_;
+    std::variant<Diffuse, CosinePower, Photometry> shape_;
+    double full_;
+};
+
+}  // namespace hanei
