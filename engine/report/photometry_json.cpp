@@ -1,0 +1,111 @@
+#include "engine/report/photometry_figures.h"
+#include "engine/report/photometry_report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace hanei {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json span_json(const std::optional<AngleSpan>& span) {
+    if (!span) return nullptr;
+    return {
+        {"width_deg", span->width_deg()}, {"from_deg", span->from_deg}, {"to_deg", span->to_deg}, {"cut", span->cut}};
+}
+
+Json plane_json(const PlaneFigures& plane) {
+    return {{"plane_deg", plane.plane_deg},
+            {"peak_cd", plane.peak.value},
+            {"upward", plane.upward},
+            {"beam_50_percent", span_json(plane.beam)},
+            {"field_10_percent", span_json(plane.field)}};
+}
+
+Json lamp_sets_json(const Photometry& photometry) {
+    Json sets = Json::array();
+    for (const LampSet& set : photometry.lamp_sets) {
+        sets.push_back({{"count", set.count},
+                        {"type", set.type},
+                        {"lumens", set.lumens},
+                        {"colour", set.colour},
+                        {"rendering", set.rendering},
+                        {"watts", set.watts}});
+    }
+    return sets;
+}
+
+Json tilt_json(const Photometry& photometry) {
+    if (!photometry.tilt) return nullptr;
+    return {{"file", photometry.tilt->file},
+            {"geometry", photometry.tilt->geometry},
+            {"angle_deg", photometry.tilt->angle_deg},
+            {"factor", photometry.tilt->factor},
+            {"applied", false}};
+}
+
+Json declared_json(const Photometry& photometry, const PhotometryFigures& figures) {
+    return {{"lamps", photometry.lamps},
+            {"absolute", photometry.absolute},
+            {"lamp_lumens", photometry.lamp_lumens},
+            {"lamp_sets", lamp_sets_json(photometry)},
+            {"input_watts", photometry.input_watts},
+            {"candela_per_figure", photometry.candela_per_figure},
+            {"flux_lm", figures.declared_flux ? Json(figures.declared_flux->value) : Json(nullptr)},
+            {"output_ratio", or_null(photometry.declared_output_ratio)},
+            {"downward_share", or_null(photometry.declared_downward_share)},
+            {"tilt", tilt_json(photometry)}};
+}
+
+Json computed_json(const PhotometryFigures& figures) {
+    return {{"flux_lm", figures.flux.value},
+            {"flux_zone_average_lm", figures.zone_average_flux.value},
+            {"output_ratio", or_null(figures.output_ratio)},
+            {"downward_share", or_null(figures.downward_share)},
+            {"efficacy_lm_per_w", or_null(figures.efficacy)},
+            {"peak_cd", figures.peak.value},
+            {"peak_horizontal_deg", figures.peak_at.horizontal_deg},
+            {"peak_vertical_deg", figures.peak_at.vertical_deg},
+            {"symmetry", name_of(figures.symmetry_found)},
+            {"planes", {plane_json(figures.plane_0), plane_json(figures.plane_90)}},
+            {"differences", figures.differences}};
+}
+
+Json opening_json(const MeasuredOpeningSize& opening) {
+    return {{"shape", name_of(opening.shape)},
+            {"extent_c0_c180_m", opening.extent_0},
+            {"extent_c90_c270_m", opening.extent_90},
+            {"height_m", opening.height}};
+}
+
+Json keywords_json(const Photometry& photometry) {
+    Json keywords = Json::array();
+    for (const auto& [key, text] : photometry.keywords) keywords.push_back({key, text});
+    return keywords;
+}
+
+}  // namespace
+
+std::string photometry_json(const Photometry& photometry, std::string_view file) {
+    const PhotometryFigures figures = photometry_figures(photometry);
+    const Json json{{"file", file},
+                    {"name", photometry.name},
+                    {"format", photometry.format},
+                    {"photometric_type", name_of(photometry.type)},
+                    {"symmetry", name_of(photometry.symmetry)},
+                    {"horizontal_deg", photometry.horizontal_deg},
+                    {"vertical_deg", photometry.vertical_deg},
+                    {"declared", declared_json(photometry, figures)},
+                    {"computed", computed_json(figures)},
+                    {"opening", opening_json(photometry.opening)},
+                    {"keywords", keywords_json(photometry)},
+                    {"warnings", photometry.warnings}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace hanei
