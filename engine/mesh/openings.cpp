@@ -18,19 +18,22 @@ ConvexBody flat_body(Polygon polygon, std::uint32_t owner) {
     return {std::move(polygon), {std::move(face)}, owner};
 }
 
-/// The outline of a measured flat opening in the luminaire's frame, seen from below
-/// counter-clockwise; empty for openings that are not flat.
+/// The outline of a measured opening in the luminaire's frame, facing down; empty for points and
+/// upright discs. Round ones are polygons of the same area.
 Polygon measured_outline(const MeasuredOpeningSize& size) {
     const double x = 0.5 * size.extent_0;
     const double y = 0.5 * size.extent_90;
     if (!(x > 0.0 && y > 0.0)) return {};
-    if (size.shape == OpeningShape::rectangle) return {{-x, -y, 0.0}, {-x, y, 0.0}, {x, y, 0.0}, {x, -y, 0.0}};
-    if (size.shape != OpeningShape::circle && size.shape != OpeningShape::ellipse) return {};
-    constexpr int corners = 32;  // inscribed: its area is 0.6 % under the circle's
+    if (size.shape == OpeningShape::point || size.shape == OpeningShape::vertical_disc) return {};
+    const bool angular = size.shape == OpeningShape::rectangle || size.shape == OpeningShape::box ||
+                         size.shape == OpeningShape::horizontal_cylinder;
+    if (angular) return {{-x, -y, 0.0}, {-x, y, 0.0}, {x, y, 0.0}, {x, -y, 0.0}};
+    constexpr int corners = 32;
+    constexpr double step = 2.0 * std::numbers::pi / corners;
+    const double same_area = std::sqrt(step / std::sin(step));
     Polygon outline;
     for (int k = 0; k < corners; ++k) {
-        const double angle = -2.0 * std::numbers::pi * k / corners;
-        outline.emplace_back(x * std::cos(angle), y * std::sin(angle), 0.0);
+        outline.emplace_back(same_area * x * std::cos(-k * step), same_area * y * std::sin(-k * step), 0.0);
     }
     return outline;
 }

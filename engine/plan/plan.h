@@ -25,7 +25,10 @@ struct PlannedEffect {
     Effect effect = Effect::interreflection;
     EffectState state = EffectState::simulated;
     std::string why;               ///< one sentence with the figures it rests on
-    double bound_lux = 0.0;        ///< lx at any point that skipping leaves out at most; 0 when simulated or not present
+    /// lx at any point that skipping leaves out at most; 0 when simulated or not present. Of bounces
+    /// cut off by the settings: what those after the last add at most (the iteration part of error
+    /// bars says how much it is, so it is not among the skipped).
+    double bound_lux = 0.0;
     double predicted_ms = 0.0;     ///< cost if simulated; filled from a cost model
     double measured_ms = -1.0;     ///< filled after the study; negative while unknown
     int count = 0;                 ///< bounces: how many are needed for the accuracy, a priori

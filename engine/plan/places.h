@@ -1,0 +1,24 @@
+/// Where light can start or arrive in a scene, and what can stand in its way.
+#pragma once
+
+#include "engine/scene/faces.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hanei {
+
+/// Corners of all faces, the luminaires' extents, points and grids: everything of the scene lies in
+/// their convex hull.
+std::vector<Vec3> places_of(const Scene& scene, std::span<const Face> faces);
+
+/// True when one of the places lies behind the plane of a face by more than `same_place`: only then
+/// can the face hide something.
+bool has_something_behind(const Face& face, std::span<const Vec3> places, double same_place);
+
+/// What may stand between two places, in words for the plan ("12 solids, 2 walls"); empty when
+/// nothing can, which is decided on the safe side.
+std::string obstacles_of(const Scene& scene);
+
+}  // namespace hanei
