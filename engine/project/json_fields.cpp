@@ -1,6 +1,7 @@
 #include "engine/project/json_fields.h"
 
 #include "engine/project/json_text.h"
+#include "engine/project/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,11 @@
 namespace hanei {
 
 void JsonReading::error(const JsonValue& at, const std::string& path, const std::string& message) {
-    findings.push_back({Severity::error, {file, at.line, path, 0}, message});
+    findings.push_back(about_file(Severity::error, file, at.line, path, message));
 }
 
 void JsonReading::warn(const JsonValue& at, const std::string& path, const std::string& message) {
-    findings.push_back({Severity::warning, {file, at.line, path, 0}, message});
+    findings.push_back(about_file(Severity::warning, file, at.line, path, message));
 }
 
 std::string described(const JsonValue& value) {

@@ -1,4 +1,5 @@
 #include "engine/project/json_value.h"
+#include "engine/project/text_file.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -150,7 +151,7 @@ private:
     }
 
     void fault(const std::string& field, const std::string& message) {
-        findings_.push_back({Severity::error, {file_, line(), field, 0}, message});
+        findings_.push_back(about_file(Severity::error, file_, line(), field, message));
     }
 
     const char* counted_;

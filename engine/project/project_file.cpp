@@ -89,10 +89,11 @@ ProjectRead read_project_text(std::string_view json, const std::filesystem::path
     const std::optional<JsonValue> root = parse_json(json, reading.file, reading.findings);
     if (root.has_value() && is_readable_version(reading, *root)) {
         Project project = read_fields(reading, *root, file.parent_path());
-        for (const RepairedWinding& repair : repair_windings(project.scene))
-            reading.findings.push_back({Severity::warning,
-                                        {reading.file, line_of(*root, repair.field), repair.field, repair.object.value},
-                                        repair.message});
+        for (const RepairedWinding& repair : repair_windings(project.scene)) {
+            reading.findings.push_back(about_file(Severity::warning, reading.file, line_of(*root, repair.field),
+                                                  repair.field, repair.message));
+            reading.findings.back().place.object = repair.object.value;
+        }
         check_read_scene(reading, *root, project.scene);
         read.project = std::move(project);
     }
@@ -113,9 +114,8 @@ std::string project_text(const Project& project) { return json_document(json_of(
 std::optional<Diagnostic> write_project(const Project& project, const std::filesystem::path& file) {
     const JsonValue root = json_of(project);
     if (!is_finite(root))
-        return Diagnostic{Severity::error,
-                          {file.string(), 0, "", 0},
-                          "the project holds a figure that is infinite or no number; correct it before saving"};
+        return about_file(Severity::error, file.string(), 0, {},
+                          "the project holds a figure that is infinite or no number; correct it before saving");
     return write_text_file(file, json_document(root));
 }
 

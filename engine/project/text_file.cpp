@@ -9,7 +9,7 @@ namespace {
 constexpr std::uintmax_t most_bytes = 64U * 1024U * 1024U;
 
 Diagnostic fault(const std::filesystem::path& file, const std::string& message) {
-    return {Severity::error, {file.string(), 0, "", 0}, message};
+    return about_file(Severity::error, file.string(), 0, {}, message);
 }
 
 /// Why the file cannot be read, or nothing.
@@ -27,6 +27,17 @@ std::string refusal(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+Diagnostic about_file(Severity severity, const std::string& file, int line, const std::string& field,
+                      const std::string& message) {
+    Diagnostic finding;
+    finding.severity = severity;
+    finding.place.file = file;
+    finding.place.line = line;
+    finding.place.field = field;
+    finding.message = message;
+    return finding;
+}
 
 std::optional<std::string> read_text_file(const std::filesystem::path& file, Diagnostics& findings) {
     const std::string reason = refusal(file);

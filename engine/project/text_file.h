@@ -10,6 +10,10 @@
 
 namespace hanei {
 
+/// A finding about a file; line 0 and an empty field are unknown.
+Diagnostic about_file(Severity severity, const std::string& file, int line, const std::string& field,
+                      const std::string& message);
+
 /// Returns   nothing, with a finding that says why, for anything but a readable file of at most 64 MB.
 std::optional<std::string> read_text_file(const std::filesystem::path& file, Diagnostics& findings);
 

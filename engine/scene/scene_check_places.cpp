@@ -69,6 +69,12 @@ public:
         return distance > thickness_ ? distance : 0.0;
     }
 
+    /// Does the wall, floor or ceiling stand right in front of the face?
+    bool faces_out(const Vec3& place, const Vec3& normal) const {
+        constexpr double in_front = 0.02;  // m: with less room than that before it nothing lights or is lit
+        return outside({place}) == 0.0 && outside({place + in_front * normal}) > 0.0;
+    }
+
     /// The name of furniture that one of the places is inside of, quoted; empty when there is none.
     std::string furniture_around(const std::vector<Vec3>& places) const {
         for (const Solid& solid : solids_)
@@ -93,7 +99,12 @@ void check_luminaire(const Surroundings& around, const Scene& scene, ObjectFindi
                      const Luminaire& luminaire) {
     const Placement placed = placement(luminaire);
     std::vector<Vec3> places = std::visit(OpeningPlaces{}, luminaire.opening);
-    for (Vec3& place : places) place = placed.point(place);
+    Vec3 middle{0.0};
+    for (Vec3& place : places) {
+        place = placed.point(place);
+        middle += place / static_cast<double>(places.size());
+    }
+    places.push_back(middle);  // an opening whose corners all stick out of a desk is in it all the same
     const double outside = around.outside(places);
     if (outside > 0.0)
         object.warn("position", "it reaches " + figure(outside) +
@@ -104,16 +115,31 @@ void check_luminaire(const Surroundings& around, const Scene& scene, ObjectFindi
     const auto* const polygon = std::get_if<PolygonOpening>(&luminaire.opening);
     if (polygon == nullptr || !scene.room.has_value() || outside > 0.0) return;
     const Polygon outline = placed.region(polygon->region).outline;
-    constexpr double in_front = 0.02;  // m: less room than that before an opening is no room to light
-    const Vec3 place = centroid(outline) + in_front * unit_normal(outline);
-    if (around.outside({place}) > 0.0)
+    if (around.faces_out(centroid(outline), unit_normal(outline)))
         object.warn("opening.outline",
                     "it shines at the wall, floor or ceiling right in front of it; reverse its corners "
                     "if it should shine into the room");
 }
 
-std::vector<Vec3> corners_of(const CalculationGrid& grid) {
-    return {grid.corner, grid.corner + grid.along, grid.corner + grid.across, grid.corner + grid.along + grid.across};
+void check_grid_place(const Surroundings& around, ObjectFindings& object, const CalculationGrid& grid) {
+    const Vec3 far_corner = grid.corner + grid.along + grid.across;
+    const double outside =
+        around.outside({grid.corner, grid.corner + grid.along, grid.corner + grid.across, far_corner});
+    if (outside > 0.0)
+        object.warn("corner", "it reaches " + figure(outside) + " m out of the room; its points there get no light");
+    else if (around.faces_out(0.5 * (grid.corner + far_corner), glm::normalize(glm::cross(grid.along, grid.across))))
+        object.warn("across",
+                    "it is lit from the wall, floor or ceiling it lies on; reverse one of its sides and move its "
+                    "corner, so that along x across points into the room");
+}
+
+void check_point_place(const Surroundings& around, ObjectFindings& object, const CalculationPoint& point) {
+    if (around.outside({point.position}) > 0.0)
+        object.warn("position", "it lies outside the room and gets no light; move it inside");
+    else if (around.faces_out(point.position, point.normal))
+        object.warn("normal", "it is lit from the wall, floor or ceiling it lies on; reverse its normal");
+    const std::string furniture = around.furniture_around({point.position});
+    if (!furniture.empty()) object.warn("position", "it lies inside " + furniture + " and gets no light; move it out");
 }
 
 }  // namespace
@@ -137,18 +163,14 @@ void check_places(SceneChecks& checks) {
         check_luminaire(around, scene, object, luminaire);
     }
     for (std::size_t i = 0; i < scene.grids.size(); ++i) {
-        const double outside = around.outside(corners_of(scene.grids[i]));
-        if (outside > 0.0)
-            checks.about("grids", i, "grid", scene.grids[i].name, scene.grids[i].id)
-                .warn("corner", "it reaches " + figure(outside) + " m out of the room; its points there get no light");
+        const CalculationGrid& grid = scene.grids[i];
+        ObjectFindings object = checks.about("grids", i, "grid", grid.name, grid.id);
+        check_grid_place(around, object, grid);
     }
     for (std::size_t i = 0; i < scene.points.size(); ++i) {
         const CalculationPoint& point = scene.points[i];
         ObjectFindings object = checks.about("points", i, "point", point.name, point.id);
-        if (around.outside({point.position}) > 0.0)
-            object.warn("position", "it lies outside the room and gets no light");
-        const std::string furniture = around.furniture_around({point.position});
-        if (!furniture.empty()) object.warn("position", "it lies inside " + furniture + " and gets no light");
+        check_point_place(around, object, point);
     }
 }
 

@@ -96,7 +96,7 @@ void check_absorption(SceneChecks& checks, ObjectFindings& object, const Room& r
     std::vector<ObjectId> used = room.wall_materials;
     used.insert(used.end(), {room.floor_material, room.ceiling_material});
     const bool all =
-        std::all_of(used.begin(), used.end(), [&](ObjectId id) { return reflectance_of(checks.scene, id) >= 1.0; });
+        std::all_of(used.begin(), used.end(), [&](ObjectId id) { return reflectance_of(checks.scene, id) == 1.0; });
     if (all)
         object.warn("walls",
                     "floor, ceiling and all walls reflect all light (reflectance 1): interreflection in the "

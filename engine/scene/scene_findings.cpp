@@ -16,13 +16,20 @@ std::string figure(double value) {
 ObjectFindings::ObjectFindings(Diagnostics& findings, std::string field, std::string_view kind, std::string_view name,
                                ObjectId id)
     : findings_(findings), field_(std::move(field)), title_(kind), id_(id) {
-    if (!name.empty()) title_ += " \"" + std::string(name) + '"';
+    if (!name.empty()) title_.append(" \"").append(name).append("\"");
 }
 
 void ObjectFindings::add(Severity severity, std::string_view field, const std::string& message) {
     std::string path = field_;
-    if (!field.empty()) path += (path.empty() ? "" : ".") + std::string(field);
-    findings_.push_back({severity, {{}, 0, std::move(path), id_.value}, title_ + ": " + message});
+    if (!path.empty() && !field.empty()) path += '.';
+    path += field;
+    Diagnostic finding;
+    finding.severity = severity;
+    finding.place.field = std::move(path);
+    finding.place.object = id_.value;
+    finding.message = title_;
+    finding.message.append(": ").append(message);
+    findings_.push_back(std::move(finding));
 }
 
 bool ObjectFindings::finite(std::string_view field, std::initializer_list<double> figures) {
