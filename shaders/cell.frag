@@ -41,7 +41,7 @@ float lux_at(vec2 uv) {
 float scale_position(float lux) {
     if (steps == 1) return (lux - lux_range.x) / (lux_range.y - lux_range.x);
     if (steps == 0) return log(max(lux, 1e-9) / lux_range.x) / log(lux_range.y / lux_range.x);
-    if (lux < lux_range.x) return -1.0;
+    if (!(lux >= lux_range.x)) return -1.0;
     if (lux > lux_range.y) return 2.0;
     int band = 0;
     for (int k = 1; k + 1 < border_count; ++k) band += lux >= borders[k] ? 1 : 0;
@@ -66,14 +66,15 @@ float line_cover(float lux, float steepness, out float line_lux) {
         }
     }
     // A plateau that happens to lie on a step is no line; crowded lines would only blacken.
-    float width = min(line_width, 0.03 / max(steepness, 1e-9));
-    float crowded = smoothstep(1.5, 5.0, 0.29 / max(steepness, 1e-9));
-    return crowded * clamp(0.5 * width + 0.5 - nearest / max(steepness, 1e-9), 0.0, 1.0);
+    float sloped = smoothstep(5e-6, 5e-5, steepness);
+    float apart = smoothstep(1.5, 5.0, 0.29 / max(steepness, 1e-9));
+    return sloped * apart * clamp(0.5 * line_width + 0.5 - nearest / max(steepness, 1e-9), 0.0, 1.0);
 }
 
 vec3 photograph(float lux) {
     float shown = exposure * reflectance * lux / 3.14159265;
-    float white = 5.0;   // what the shoulder brings to full white, in middle exposures
+    shown = shown * pow(max(shown, 1e-6), 0.18);   // a film's contrast about the middle
+    float white = 6.0;   // what the shoulder brings to full white, in middle exposures
     float toned = clamp(shown * (1.0 + shown / (white * white)) / (1.0 + shown), 0.0, 1.0);
     vec3 linear = toned * mix(vec3(0.93, 0.98, 1.07), vec3(1.0, 0.985, 0.95), toned);
     vec3 low = 12.92 * linear, high = 1.055 * pow(max(linear, 1e-6), vec3(1.0 / 2.4)) - 0.055;

@@ -8,7 +8,7 @@ layout(location = 3) in vec2 sizes;   // radius in pixels; greatest radius in me
 uniform mat4 to_clip;
 uniform float pixels_per_metre;   // at depth 1 (w = 1)
 uniform float pixel_scale;
-uniform float bias;
+uniform vec4 eye;                 // w 1: a place; w 0: the direction to it
 
 flat out vec4 fill;
 flat out vec4 ring;
@@ -19,7 +19,9 @@ void main() {
     radius = sizes.x * pixel_scale;
     if (sizes.y > 0.0) radius = clamp(sizes.y * pixels_per_metre / gl_Position.w, 1.2, radius);
     gl_PointSize = 2.0 * radius + 2.0;
-    gl_Position.z -= bias * gl_Position.w;
+    // Its own radius nearer, so that a surface it lies on does not cut it in half.
+    float metres = 1.5 * radius * gl_Position.w / pixels_per_metre;
+    gl_Position = to_clip * vec4(place + metres * normalize(eye.xyz - place * eye.w), 1.0);
     fill = fill_colour;
     ring = ring_colour;
 }

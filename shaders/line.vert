@@ -11,16 +11,22 @@ layout(location = 5) in vec3 corner_and_width;   // which end (0, 1), which side
 uniform mat4 to_clip;
 uniform vec2 picture_size;   // pixels
 uniform vec4 eye;            // w 1: a place; w 0: the direction to it
-uniform float bias;          // towards the eye, in units of depth
+uniform float pixels_per_metre;   // at depth 1
+uniform float lift;          // towards the eye, pixels: clear of the faces that the line borders
 
 out float across;            // pixels from the line's middle
 flat out float half_width;
 flat out vec4 ink;
 
+vec4 lifted(vec3 place) {
+    float metres = lift * max((to_clip * vec4(place, 1.0)).w, 0.0) / pixels_per_metre;
+    return to_clip * vec4(place + metres * normalize(eye.xyz - place * eye.w), 1.0);
+}
+
 void main() {
     vec3 to_eye = eye.xyz - from * eye.w;
     bool hidden = max(dot(normal_a, to_eye), dot(normal_b, to_eye)) <= 0.0 && (normal_a != vec3(0.0) || normal_b != vec3(0.0));
-    vec4 a = to_clip * vec4(from, 1.0), b = to_clip * vec4(to, 1.0);
+    vec4 a = lifted(from), b = lifted(to);
     // The part behind the eye is cut off, else the division would turn it round.
     float da = a.w + a.z, db = b.w + b.z;
     if (da < 0.0 && db > 0.0) a = mix(a, b, (1e-4 - da) / (db - da));
@@ -35,7 +41,6 @@ void main() {
     vec2 aside = vec2(-direction.y, direction.x) * across;
     vec2 beyond = direction * (corner_and_width.x < 0.5 ? -0.5 : 0.5) * half_width;
     here.xy += (aside + beyond) * 2.0 / picture_size * here.w;
-    here.z -= bias * here.w;
     gl_Position = hidden || (da < 0.0 && db < 0.0) ? vec4(2.0, 2.0, 2.0, 1.0) : here;
     ink = line_colour;
 }

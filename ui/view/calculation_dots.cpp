@@ -7,22 +7,26 @@
 namespace hanei {
 namespace {
 
-constexpr glm::vec4 ring{0.08F, 0.09F, 0.10F, 0.8F};
-constexpr float grid_radius = 2.6F, point_radius = 5.0F;  // pixels
+constexpr glm::vec4 ring{0.08F, 0.09F, 0.10F, 0.75F};
+constexpr float grid_radius = 3.6F, point_radius = 5.5F;  // pixels
 constexpr double share_of_spacing = 0.13;                 // dots of a grid never touch
 
 std::optional<double> value_of(const PointValue& value, LightPart part) {
     switch (part) {
-        case LightPart::total: return value.total().value;
-        case LightPart::direct: return value.direct.value;
-        case LightPart::interreflected: return value.interreflected.value;
-        case LightPart::unshadowed: break;
+        case LightPart::total:
+            return value.total().value;
+        case LightPart::direct:
+            return value.direct.value;
+        case LightPart::interreflected:
+            return value.interreflected.value;
+        case LightPart::unshadowed:
+            break;
     }
     return std::nullopt;
 }
 
-void append(std::vector<DotMark>& dots, const PointResult& point, bool valued, const ViewOptions& look,
-            float radius, double greatest_m) {
+void append(std::vector<DotMark>& dots, const PointResult& point, bool valued, const ViewOptions& look, float radius,
+            double greatest_m) {
     if (point.value.inside_solid) return;
     const std::optional<double> lux = valued ? value_of(point.value, look.part) : std::nullopt;
     const glm::vec4 fill = lux ? glm::vec4(colour_of(*lux, look), 1.0F) : ink::no_value;

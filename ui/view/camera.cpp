@@ -11,8 +11,8 @@ namespace hanei {
 namespace {
 
 constexpr double overview_field_of_view = 0.55;  // rad: a long lens, so that walls stay nearly upright
-constexpr double overview_azimuth = 0.52;        // rad, from the normal of the longer side
-constexpr double overview_elevation = 0.68;      // rad: floor, two walls and the desks' tops all show
+constexpr double overview_azimuth = 0.46;        // rad, from the normal of the longer side
+constexpr double overview_elevation = 0.64;      // rad: floor, two walls and the desks' tops all show
 constexpr double fit_margin = 0.93;              // share of the picture that the bounds may fill
 constexpr double pole_margin = 0.01;             // rad that orbiting stays away from straight down
 constexpr double nearest_share = 1e-3;           // of the scene: nothing nearer to the eye is drawn

@@ -48,7 +48,7 @@ std::optional<Vec2> projected(const Camera& camera, const Vec3& place, double as
 double picture_height_at(const Camera& camera, const Vec3& place);
 
 /// `by` is how far the pointer went, right and down: what lies near follows it.
-Camera orbited(const Camera& camera, Vec2 by);                 ///< rad, about the target; never over the pole
+Camera orbited(const Camera& camera, Vec2 by);                ///< rad, about the target; never over the pole
 Camera panned(const Camera& camera, Vec2 by, double aspect);  ///< in picture heights
 /// Things grow by `factor` (above 1: closer). What is under `at`, at the target's depth, stays there.
 Camera zoomed(const Camera& camera, double factor, Vec2 at, double aspect);

@@ -4,9 +4,9 @@
 #include "ui/view/image.h"
 #include "ui/view/picture_size.h"
 
-#include <cairo.h>
 #include <glm/vec3.hpp>
 
+#include <cairo.h>
 #include <memory>
 #include <string>
 

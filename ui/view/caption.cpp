@@ -1,9 +1,8 @@
 #include "ui/view/isolux_labels.h"
 #include "ui/view/legend.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace hanei {
 namespace {
@@ -24,8 +23,8 @@ ErrorBar greatest_error(const Solution& solution) {
 }
 
 bool reports_points(const Solution& solution) {
-    return !solution.points.empty() ||
-           std::any_of(solution.grids.begin(), solution.grids.end(), [](const GridResult& g) { return !g.points.empty(); });
+    return !solution.points.empty() || std::any_of(solution.grids.begin(), solution.grids.end(),
+                                                   [](const GridResult& g) { return !g.points.empty(); });
 }
 
 std::string error_text(const Solution& solution) {
@@ -40,10 +39,14 @@ std::string error_text(const Solution& solution) {
 
 std::string heading_of(LightPart part) {
     switch (part) {
-        case LightPart::total: return "Total illuminance";
-        case LightPart::direct: return "Direct light only";
-        case LightPart::interreflected: return "Interreflected light only";
-        case LightPart::unshadowed: return "Total without shadows";
+        case LightPart::total:
+            return "Total illuminance";
+        case LightPart::direct:
+            return "Direct light only";
+        case LightPart::interreflected:
+            return "Interreflected light only";
+        case LightPart::unshadowed:
+            return "Total without shadows";
     }
     return "";
 }

@@ -18,9 +18,7 @@ struct CellFrame {
     std::array<Vec2, 4> corner{};
     bool triangle = false;
 
-    Vec2 flat(const Vec3& place) const {
-        return {glm::dot(place - origin, along), glm::dot(place - origin, across)};
-    }
+    Vec2 flat(const Vec3& place) const { return {glm::dot(place - origin, along), glm::dot(place - origin, across)}; }
 };
 
 /// Needs     a solution with a mesh and a display mesh.

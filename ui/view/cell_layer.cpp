@@ -1,4 +1,3 @@
-#include <shaders.h>
 #include "ui/view/cell_field.h"
 #include "ui/view/colour_scale.h"
 #include "ui/view/layers.h"
@@ -6,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <shaders.h>
 
 namespace hanei {
 namespace {
 
-constexpr std::size_t most_lines = 64;       // as the shader's arrays
-constexpr float isolux_width = 1.5F;         // pixels of a picture 900 high
+constexpr std::size_t most_lines = 64;  // as the shader's arrays
+constexpr float isolux_width = 1.5F;    // pixels of a picture 900 high
 
 struct CellVertex {
     glm::vec3 position;
@@ -50,7 +50,7 @@ std::vector<float> shader_array(const std::vector<double>& values) {
 }  // namespace
 
 double automatic_exposure(const Solution& solution) {
-    constexpr double mean_shown = 0.62;  // before the shoulder: 0.38 of white after it, a light middle grey
+    constexpr double mean_shown = 0.95;  // before the shoulder: half of white after it, a light grey
     double flux = 0.0, area = 0.0;
     for (const DisplayCell& cell : solution.display->cells) {
         const std::array<double, 4> lux = corner_values(*solution.display, cell, LightPart::total);

@@ -12,8 +12,8 @@ namespace {
 // Ends of the path in Oklab. Lightness leaves room for one darker and one lighter colour beyond.
 constexpr double first_lightness = 0.24, last_lightness = 0.955;
 constexpr double first_hue_deg = 305.0, last_hue_deg = 104.0;
-constexpr double least_chroma = 0.085, middle_chroma = 0.15;  // Oklab units; sRGB's border is at 0.12 to 0.3
-constexpr int path_samples = 4096;                            // 16 an entry: the table's rounding is 1/256
+constexpr double least_chroma = 0.085, middle_chroma = 0.115;  // Oklab units; sRGB's border is at 0.12 to 0.3
+constexpr int path_samples = 4096;                             // 16 an entry: the table's rounding is 1/256
 
 struct Lab {
     double lightness = 0.0, a = 0.0, b = 0.0;
@@ -101,7 +101,7 @@ double scale_position(double lux, const ViewOptions& look) {
     if (look.steps == ColourSteps::logarithmic) return logarithmic_position(lux, look.range);
     if (look.steps == ColourSteps::linear) return linear_position(lux, look.range);
     const std::vector<double> borders = band_borders(look.range);
-    if (lux < borders.front()) return -1.0;
+    if (!(lux >= borders.front())) return -1.0;
     if (lux > borders.back()) return 2.0;
     const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, lux);
     const double bands = static_cast<double>(borders.size() - 1);

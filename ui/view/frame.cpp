@@ -44,7 +44,8 @@ Frame::~Frame() {
 Image Frame::read() {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, plain_);
-    glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, plain_);
     Image image{size_.width, size_.height, {}};
     const std::size_t row = 4 * static_cast<std::size_t>(size_.width);

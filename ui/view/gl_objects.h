@@ -1,10 +1,10 @@
 /// OpenGL's objects with C++ lifetimes. Private to the room.
 #pragma once
 
-#include <glad/gl.h>
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <glad/gl.h>
 #include <span>
 #include <vector>
 

@@ -2,10 +2,9 @@
 
 #include "engine/base/check.h"
 
-#include <png.h>
-
 #include <csetjmp>
 #include <fstream>
+#include <png.h>
 #include <stdexcept>
 #include <system_error>
 
@@ -67,7 +66,8 @@ std::vector<char> encoded(const Image& image, const std::vector<std::pair<std::s
 void write_png(const Image& image, const std::filesystem::path& file,
                const std::vector<std::pair<std::string, std::string>>& text) {
     HANEI_CHECK(image.width > 0 && image.height > 0);
-    HANEI_CHECK(image.rgba.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
+    HANEI_CHECK(image.rgba.size() ==
+                static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
     const std::vector<char> bytes = encoded(image, text);
     std::filesystem::path beside = file;
     beside += ".part";

@@ -2,22 +2,22 @@
 
 #include "ui/view/value_buffer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fmt/format.h>
 
 namespace hanei {
 namespace {
 
-constexpr int buffer_height = 300;         // rows: a line of text is 4 to 5 of them in a picture of 800
-constexpr double text_height = 13.0;       // pixels at scale 1
-constexpr double digit_width = 7.0;        // pixels at scale 1, figures of 12 pixels
-constexpr double text_margin = 5.0;        // pixels kept free around
-constexpr int labels_a_line = 3;
-constexpr double least_distance = 0.35;    // picture heights between two labels of one figure
-constexpr double worst_clutter = 0.12;     // of the label's area: more and it is unreadable
+constexpr int buffer_height = 300;       // rows: a line of text is 4 to 5 of them in a picture of 800
+constexpr double text_height = 13.0;     // pixels at scale 1
+constexpr double digit_width = 7.0;      // pixels at scale 1, figures of 12 pixels
+constexpr double text_margin = 5.0;      // pixels kept free around
+constexpr int labels_a_line = 3;         // in pictures that have the room; small ones name a line once
+constexpr int small_picture = 500;       // rows at scale 1
+constexpr double least_distance = 0.35;  // picture heights between two labels of one figure
+constexpr double worst_clutter = 0.12;   // of the label's area: more and it is unreadable
 
 /// One visible piece of one line: the buffer's pixels it runs through.
 struct LinePiece {
@@ -142,6 +142,7 @@ Placed best_place(const LinePiece& piece, const Crossings& crossings, const std:
 }  // namespace
 
 std::string lux_text(double lux) {
+    if (lux >= 1000.0) return fmt::format("{:.0f}", lux);
     if (lux >= 0.995) return fmt::format("{:.4g}", lux);
     return fmt::format("{:.2g}", lux);
 }
@@ -159,6 +160,7 @@ std::vector<IsoluxLabel> isolux_labels(const Solution& solution, const Camera& c
     std::vector<LinePiece> pieces = crossings.pieces();
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const LinePiece& a, const LinePiece& b) { return a.pixels.size() > b.pixels.size(); });
+    const int most = size.height < small_picture * scale ? 1 : labels_a_line;
     std::vector<Placed> placed;
     for (const LinePiece& piece : pieces) {
         const double lux = steps[static_cast<std::size_t>(piece.level)];
@@ -168,7 +170,7 @@ std::vector<IsoluxLabel> isolux_labels(const Solution& solution, const Camera& c
         label.half_width =
             static_cast<int>(std::ceil(0.5 * scale * shrink * (digits * digit_width + 2.0 * text_margin)));
         label.half_height = static_cast<int>(std::ceil(0.5 * scale * shrink * (text_height + text_margin)));
-        for (int k = 0; k < labels_a_line; ++k) {
+        for (int k = 0; k < most; ++k) {
             if (static_cast<int>(piece.pixels.size()) < 4 * label.half_width * (k + 1)) break;
             const Placed place = best_place(piece, crossings, placed, label, small.width);
             if (place.half_width == 0) break;

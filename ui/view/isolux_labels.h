@@ -11,7 +11,7 @@
 namespace hanei {
 
 struct IsoluxLabel {
-    Vec2 at{0.0};      ///< middle of the text, 0..1 from the top left
+    Vec2 at{0.0};  ///< middle of the text, 0..1 from the top left
     double lux = 0.0;
     std::string text;  ///< the figure alone: "300"
 };

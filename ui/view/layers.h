@@ -54,8 +54,8 @@ class LineLayer {
 public:
     LineLayer();
     void set(const std::vector<LineMark>& lines, float pixel_scale);
-    /// `bias` in units of depth, towards the eye.
-    void draw(const Pass& pass, float bias) const;
+    /// `lift` towards the eye, in pixels of a picture 900 high.
+    void draw(const Pass& pass, float lift) const;
 
 private:
     gl::Program program_;
@@ -66,7 +66,7 @@ class DotLayer {
 public:
     DotLayer();
     void set(const std::vector<DotMark>& dots) { vertices_.fill(dots); }
-    void draw(const Pass& pass, float bias) const;
+    void draw(const Pass& pass) const;
 
 private:
     gl::Program program_;

@@ -18,9 +18,9 @@ constexpr glm::vec3 card{0.985F, 0.985F, 0.98F};
 struct Layout {
     double margin = 14.0;
     double bar_width = 20.0;
-    double head = 58.0;   ///< quantity and part
-    double foot = 34.0;   ///< kind of scale
-    double cap = 9.0;     ///< colours beyond the ends
+    double head = 58.0;  ///< quantity and part
+    double foot = 34.0;  ///< kind of scale
+    double cap = 9.0;    ///< colours beyond the ends
     double tick = 5.0;
     double apart = 15.0;  ///< base lines of tick labels
 };
@@ -30,7 +30,7 @@ TextStyle part_style(double scale) { return {11.5 * scale, false, pale_ink, 0.0}
 TextStyle tick_style(double scale) { return {12.0 * scale, false, ink, 0.0}; }
 
 std::string quantity_text() { return "Illuminance E"; }
-std::string part_text(const ViewOptions& look) { return std::string(name_of(look.part)) + ", lx"; }
+std::string part_text(std::string_view part) { return std::string(part) + ", lx"; }
 
 /// Figures to name: both ends, and of the steps between those that leave each other room, round
 /// ones first (100 before 150).
@@ -51,8 +51,7 @@ std::vector<double> ticks_of(const ViewOptions& look, double bar_height, double 
     return ticks;
 }
 
-void draw_bar(Canvas& canvas, const ViewOptions& look, double x, double top, double width, double height,
-              double cap) {
+void draw_bar(Canvas& canvas, const ViewOptions& look, double x, double top, double width, double height, double cap) {
     const int rows = static_cast<int>(height);
     for (int row = 0; row < rows; ++row) {
         const double lux = lux_at(1.0 - (row + 0.5) / rows, look);
@@ -78,16 +77,16 @@ void draw_isolux_marks(Canvas& canvas, const ViewOptions& look, double x, double
 
 }  // namespace
 
-int legend_width(const ViewOptions& look, double scale) {
+int legend_width(const ViewOptions& /*options*/, double scale) {
     const Layout layout;
     Canvas measure({1, 1});
     double wide = std::max(measure.width_of(quantity_text(), head_style(scale)),
-                           measure.width_of(part_text(look), part_style(scale)));
+                           measure.width_of(part_text(name_of(LightPart::interreflected)), part_style(scale)));
     wide = std::max(wide, measure.width_of(std::string(name_of(ColourSteps::standard_steps)), part_style(scale)));
     return static_cast<int>(std::ceil(wide + 2.0 * layout.margin * scale));
 }
 
-Image legend_image(const ViewOptions& look, int height_px, double scale) {
+Image legend_image(const ViewOptions& look, int height_px, double scale, std::string_view part) {
     const Layout layout;
     const int height = std::max(height_px, static_cast<int>(160.0 * scale));
     const int width = legend_width(look, scale);
@@ -96,7 +95,7 @@ Image legend_image(const ViewOptions& look, int height_px, double scale) {
 
     const double left = layout.margin * scale;
     canvas.text(left, 24.0 * scale, quantity_text(), head_style(scale));
-    canvas.text(left, 41.0 * scale, part_text(look), part_style(scale));
+    canvas.text(left, 41.0 * scale, part_text(part.empty() ? name_of(look.part) : part), part_style(scale));
     canvas.text(left, height - 13.0 * scale, std::string(name_of(look.steps)), part_style(scale));
 
     const double cap = std::round(layout.cap * scale);

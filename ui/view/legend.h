@@ -5,6 +5,7 @@
 #include "ui/view/view_options.h"
 
 #include <string>
+#include <string_view>
 
 namespace hanei {
 
@@ -12,7 +13,8 @@ namespace hanei {
 /// a nearly white rounded card. Its width follows from its lettering. `scale` enlarges the
 /// lettering on dense displays. The same picture in the window and in exported files.
 /// Needs     height_px of 160 x scale at least, so that the lettering fits; smaller is taken as that.
-Image legend_image(const ViewOptions& options, int height_px, double scale = 1.0);
+/// `part` is written under the quantity in place of the shown part's name, when not empty.
+Image legend_image(const ViewOptions& options, int height_px, double scale = 1.0, std::string_view part = {});
 
 /// Width that legend_image will have.
 int legend_width(const ViewOptions& options, double scale = 1.0);

@@ -83,18 +83,26 @@ LuminaireShape lying(LuminaireShape shape) {
 LuminaireShape local_shape(const MeasuredOpeningSize& size) {
     const double x = 0.5 * size.extent_0, y = 0.5 * size.extent_90, z = size.height;
     switch (size.shape) {
-        case OpeningShape::rectangle: return prism(rectangle(x, y, 0.0), 0.0);
-        case OpeningShape::box: return prism(rectangle(x, y, 0.0), z);
+        case OpeningShape::rectangle:
+            return prism(rectangle(x, y, 0.0), 0.0);
+        case OpeningShape::box:
+            return prism(rectangle(x, y, 0.0), z);
         case OpeningShape::circle:
-        case OpeningShape::ellipse: return prism(ellipse(x, y, 0.0), 0.0);
-        case OpeningShape::vertical_cylinder: return prism(ellipse(x, y, 0.0), z);
-        case OpeningShape::horizontal_cylinder: return lying(prism(ellipse(y, 0.5 * z, 0.0), size.extent_0));
+        case OpeningShape::ellipse:
+            return prism(ellipse(x, y, 0.0), 0.0);
+        case OpeningShape::vertical_cylinder:
+            return prism(ellipse(x, y, 0.0), z);
+        case OpeningShape::horizontal_cylinder:
+            return lying(prism(ellipse(y, 0.5 * z, 0.0), size.extent_0));
         case OpeningShape::horizontal_cylinder_90:
             return lying(lying(prism(ellipse(0.5 * z, x, 0.0), size.extent_90)));
         case OpeningShape::sphere:
-        case OpeningShape::ellipsoid: return ellipsoid({x, y, 0.5 * z});
-        case OpeningShape::vertical_disc: return lying(prism(reversed(ellipse(y, 0.5 * z, 0.0)), 0.0));
-        case OpeningShape::point: break;
+        case OpeningShape::ellipsoid:
+            return ellipsoid({x, y, 0.5 * z});
+        case OpeningShape::vertical_disc:
+            return lying(prism(reversed(ellipse(y, 0.5 * z, 0.0)), 0.0));
+        case OpeningShape::point:
+            break;
     }
     LuminaireShape shape;
     shape.point = Vec3(0.0);

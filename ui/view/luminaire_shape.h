@@ -10,10 +10,10 @@
 namespace hanei {
 
 struct LuminaireShape {
-    std::vector<Polygon> shining;               ///< convex, counter-clockwise seen from where they shine
-    std::vector<std::pair<Vec3, Vec3>> outline; ///< edges worth drawing
-    std::optional<std::pair<Vec3, Vec3>> tube;  ///< a line source
-    std::optional<Vec3> point;                  ///< a source without extent
+    std::vector<Polygon> shining;                ///< convex, counter-clockwise seen from where they shine
+    std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges worth drawing
+    std::optional<std::pair<Vec3, Vec3>> tube;   ///< a line source
+    std::optional<Vec3> point;                   ///< a source without extent
 };
 
 /// Round openings become 32-sided ones: they are looked at here, not computed with.

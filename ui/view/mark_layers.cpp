@@ -52,12 +52,13 @@ void LineLayer::set(const std::vector<LineMark>& lines, float pixel_scale) {
     vertices_.fill_indices(indices);
 }
 
-void LineLayer::draw(const Pass& pass, float bias) const {
+void LineLayer::draw(const Pass& pass, float lift) const {
     program_.use();
     program_.set("to_clip", pass.to_clip);
     program_.set("picture_size", pass.size);
     program_.set("eye", pass.eye);
-    program_.set("bias", bias);
+    program_.set("pixels_per_metre", pass.pixels_per_metre);
+    program_.set("lift", lift * pass.pixel_scale);
     vertices_.draw_triangles();
 }
 
@@ -68,12 +69,12 @@ DotLayer::DotLayer() : program_(shaders::dot_vert, shaders::dot_frag) {
                                        {3, 2, offsetof(DotMark, radius)}});
 }
 
-void DotLayer::draw(const Pass& pass, float bias) const {
+void DotLayer::draw(const Pass& pass) const {
     program_.use();
     program_.set("to_clip", pass.to_clip);
     program_.set("pixels_per_metre", pass.pixels_per_metre);
     program_.set("pixel_scale", pass.pixel_scale);
-    program_.set("bias", bias);
+    program_.set("eye", pass.eye);
     vertices_.draw_points();
 }
 

@@ -18,8 +18,8 @@ struct SolidVertex {
 struct LineMark {
     Vec3 from{0.0}, to{0.0};
     glm::vec4 colour{0.0F, 0.0F, 0.0F, 1.0F};
-    float width = 1.0F;   ///< pixels of a picture 900 high
-    Vec3 normal_a{0.0};   ///< of the faces it borders: seen while one of them faces the eye
+    float width = 1.0F;  ///< pixels of a picture 900 high
+    Vec3 normal_a{0.0};  ///< of the faces it borders: seen while one of them faces the eye
     Vec3 normal_b{0.0};
 };
 
@@ -27,8 +27,8 @@ struct DotMark {
     glm::vec3 place;
     glm::vec4 fill;
     glm::vec4 ring;
-    float radius = 3.0F;       ///< pixels of a picture 900 high
-    float greatest_m = 0.0F;   ///< m; 0: none
+    float radius = 3.0F;      ///< pixels of a picture 900 high
+    float greatest_m = 0.0F;  ///< m; 0: none
 };
 
 namespace ink {

@@ -5,7 +5,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <glad/gl.h>
-
 #include <stdexcept>
 #include <vector>
 
@@ -42,7 +41,8 @@ std::string egl_fault(const char* what) { return fmt::format("EGL: {} (error {:#
 
 /// Empty when it worked, else why not.
 std::string open_egl(OffscreenContext::Handles& handles) {
-    const auto platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    const auto platform_display =
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (platform_display == nullptr) return "EGL: no platform displays";
     handles.display = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (handles.display == EGL_NO_DISPLAY) return egl_fault("no surfaceless display");
@@ -54,8 +54,9 @@ std::string open_egl(OffscreenContext::Handles& handles) {
     if (eglChooseConfig(handles.display, config_wish, &config, 1, &configs) == EGL_FALSE || configs < 1) {
         config = EGL_NO_CONFIG_KHR;  // surfaceless drivers may offer none and need none
     }
-    const EGLint context_wish[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                                   EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint context_wish[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     handles.egl = eglCreateContext(handles.display, config, EGL_NO_CONTEXT, context_wish);
     if (handles.egl == EGL_NO_CONTEXT) return egl_fault("no OpenGL 3.3 core context");
     if (eglMakeCurrent(handles.display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles.egl) == EGL_FALSE) {
@@ -88,8 +89,17 @@ std::string open_osmesa(OffscreenContext::Handles& handles) {
     if (create == nullptr || make_current == nullptr || proc == nullptr || handles.destroy_osmesa == nullptr) {
         return "OSMesa: the library is too old";
     }
-    const int wish[] = {osmesa::format, osmesa::rgba, osmesa::depth_bits, 24, osmesa::profile, osmesa::core_profile,
-                        osmesa::context_major_version, 3, osmesa::context_minor_version, 3, 0};
+    const int wish[] = {osmesa::format,
+                        osmesa::rgba,
+                        osmesa::depth_bits,
+                        24,
+                        osmesa::profile,
+                        osmesa::core_profile,
+                        osmesa::context_major_version,
+                        3,
+                        osmesa::context_minor_version,
+                        3,
+                        0};
     handles.osmesa = create(wish, nullptr);
     if (handles.osmesa == nullptr) return "OSMesa: no OpenGL 3.3 core context";
     constexpr int side = 16;  // its own buffer is never drawn into

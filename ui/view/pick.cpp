@@ -79,14 +79,16 @@ public:
         Found found;
         for (const Solid& solid : solids_of(scene_)) found.offer(solid.object, distance_to(ray_, solid));
         for (const FreeSurface& surface : scene_.surfaces) {
-            for (const Polygon& piece : convex_pieces(surface.region)) found.offer(surface.id, distance_to(ray_, piece));
+            for (const Polygon& piece : convex_pieces(surface.region))
+                found.offer(surface.id, distance_to(ray_, piece));
         }
         return found;
     }
 
     Found luminaires() const {
         Found found;
-        for (const Luminaire& luminaire : scene_.luminaires) found.offer(luminaire.id, distance_to_luminaire(luminaire));
+        for (const Luminaire& luminaire : scene_.luminaires)
+            found.offer(luminaire.id, distance_to_luminaire(luminaire));
         return found;
     }
 
@@ -158,8 +160,15 @@ std::optional<SurfaceHit> hit(const Solution& solution, const Ray& ray) {
         if (!contains(frame, flat)) continue;
         const Vec2 at = glm::clamp(bilinear_coordinates(frame, flat), Vec2(0.0), Vec2(1.0));
         const auto value = [&](LightPart part) { return bilinear(corner_values(display, cell, part), at); };
-        nearest = SurfaceHit{place, face.normal, distance, cell.face, k, face.ref, value(LightPart::direct),
-                             value(LightPart::interreflected), value(LightPart::unshadowed)};
+        nearest = SurfaceHit{place,
+                             face.normal,
+                             distance,
+                             cell.face,
+                             k,
+                             face.ref,
+                             value(LightPart::direct),
+                             value(LightPart::interreflected),
+                             value(LightPart::unshadowed)};
     }
     return nearest;
 }

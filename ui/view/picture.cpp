@@ -41,12 +41,18 @@ void letter_lines(Canvas& canvas, const Solution& solution, const PictureRequest
                   double scale) {
     const TextStyle style{12.0 * scale, true, ink_colour, 2.2 * scale};
     for (const IsoluxLabel& label : isolux_labels(solution, request.camera, request.options, size, scale)) {
-        canvas.text(x + label.at.x * size.width, y + label.at.y * size.height + 4.3 * scale, label.text, style, Align::centre);
+        canvas.text(x + label.at.x * size.width, y + label.at.y * size.height + 4.3 * scale, label.text, style,
+                    Align::centre);
     }
 }
 
-void letter_caption(Canvas& canvas, const Solution& solution, const PictureRequest& request, const Page& page) {
+/// All parts are shown: no single one is named.
+constexpr std::string_view four_parts = "four parts";
+
+void letter_caption(Canvas& canvas, const Solution& solution, const PictureRequest& request, const Page& page,
+                    std::string_view part) {
     Caption caption = caption_of(solution, request.options);
+    if (!part.empty()) caption.title = solution.scene->title + " – Illuminance in four parts";
     if (!request.caption.empty()) {
         const std::size_t end = request.caption.find('\n');
         caption.title = request.caption.substr(0, end);
@@ -63,14 +69,15 @@ void letter_caption(Canvas& canvas, const Solution& solution, const PictureReque
 }
 
 /// Legend strip and caption around what has been laid on the sheet.
-void letter_page(Canvas& canvas, const Solution& solution, const PictureRequest& request, const Page& page) {
+void letter_page(Canvas& canvas, const Solution& solution, const PictureRequest& request, const Page& page,
+                 std::string_view part = {}) {
     if (page.legend > 0) {
         const int height = request.size.height - page.caption;
         canvas.rectangle(request.size.width - page.legend, 0.0, page.legend, height, paper);
-        const Image legend = legend_image(request.options, height, page.scale);
+        const Image legend = legend_image(request.options, height, page.scale, part);
         canvas.picture(legend, request.size.width - page.legend, 0);
     }
-    letter_caption(canvas, solution, request, page);
+    letter_caption(canvas, solution, request, page, part);
 }
 
 struct Panel {
@@ -121,18 +128,19 @@ Image render_four_up(SolutionSnapshot solution, const PictureRequest& asked) {
     for (std::size_t k = 0; k < panels.size(); ++k) {
         PictureRequest request = asked;
         request.options.part = panels[k].part;
+        request.options.grids = false;  // panels are too small for dots
         const int x = gap + static_cast<int>(k % 2) * (size.width + gap);
         const int y = title + static_cast<int>(k / 2) * (size.height + title);
         canvas.picture(drawn(renderer, request.camera, request.options, size), x, y);
         canvas.text(x + 2.0, y - 8.0 * page.scale, canvas.fitted(panels[k].name, heading, size.width), heading);
         if (!has_part(*solution, panels[k].part)) {
-            canvas.text(x + 0.5 * size.width, y + size.height - 12.0 * page.scale, "Not computed in this study", missing,
-                        Align::centre);
+            canvas.text(x + 0.5 * size.width, y + size.height - 12.0 * page.scale, "Not computed in this study",
+                        missing, Align::centre);
         } else if (asked.annotated) {
             letter_lines(canvas, *solution, request, size, x, y, 0.85 * page.scale);
         }
     }
-    if (asked.annotated) letter_page(canvas, *solution, asked, page);
+    if (asked.annotated) letter_page(canvas, *solution, asked, page, four_parts);
     return canvas.image();
 }
 

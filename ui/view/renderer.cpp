@@ -10,8 +10,8 @@
 namespace hanei {
 namespace {
 
-constexpr float line_bias = 1.5e-4F;  // of the depth range: edges stand clear of the faces they border
-constexpr float mark_bias = 4e-4F;    // dots and openings lie flush on surfaces
+constexpr float edge_lift = 2.0F;  // pixels towards the eye: edges stand clear of the faces they border
+constexpr float mark_lift = 4.0F;  // and outlines of openings and of what is selected, clear of the edges
 constexpr double usual_height = 900.0;
 
 Bounds joined(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
@@ -58,10 +58,13 @@ struct Renderer::Buffers {
 
     void find_bounds() {
         bounds = scene != nullptr ? bounds_of(*scene) : Bounds{};
-        if (solution != nullptr) bounds = scene != nullptr ? joined(bounds, bounds_of(*solution->scene)) : bounds_of(*solution->scene);
+        if (solution != nullptr)
+            bounds = scene != nullptr ? joined(bounds, bounds_of(*solution->scene)) : bounds_of(*solution->scene);
     }
 
-    const Scene* shown_scene() const { return scene != nullptr ? scene.get() : solution != nullptr ? solution->scene.get() : nullptr; }
+    const Scene* shown_scene() const {
+        return scene != nullptr ? scene.get() : solution != nullptr ? solution->scene.get() : nullptr;
+    }
 
     void load_lines(float pixel_scale) {
         edge_scale = pixel_scale;
@@ -70,15 +73,16 @@ struct Renderer::Buffers {
         edges.set(shown != nullptr ? face_edges(*shown) : std::vector<LineMark>{}, pixel_scale);
         const LuminaireMarks marks = shown != nullptr ? luminaire_marks(*shown) : LuminaireMarks{};
         openings.set(marks.openings);
-        opening_backs.set(faded(marks.openings, 0.22F));
+        opening_backs.set(faded(marks.openings, 0.14F));
         luminaire_lines.set(marks.lines, pixel_scale);
         luminaire_dots.set(marks.dots);
     }
 
     void load_mesh(float pixel_scale) {
         if (mesh_loaded) return;
-        mesh.set(solution != nullptr && solution->mesh != nullptr ? patch_edges(*solution->mesh) : std::vector<LineMark>{},
-                 pixel_scale);
+        mesh.set(
+            solution != nullptr && solution->mesh != nullptr ? patch_edges(*solution->mesh) : std::vector<LineMark>{},
+            pixel_scale);
         mesh_loaded = true;
     }
 
@@ -107,8 +111,8 @@ struct Renderer::Buffers {
         opening_backs.draw(pass, 0.0F);
         glDisable(GL_POLYGON_OFFSET_FILL);
         glDisable(GL_CULL_FACE);
-        luminaire_lines.draw(pass, mark_bias);
-        luminaire_dots.draw(pass, mark_bias);
+        luminaire_lines.draw(pass, mark_lift);
+        luminaire_dots.draw(pass);
         blend(false);
     }
 
@@ -123,13 +127,14 @@ struct Renderer::Buffers {
         };
         add(highlights.hovered, ink::hovered, 2.4F);
         for (const ObjectId object : highlights.selected) add(object, ink::selected, 2.8F);
-        for (const Highlights::Line& line : highlights.lines) marks.lines.push_back({line.from, line.to, line.colour, 2.6F});
+        for (const Highlights::Line& line : highlights.lines)
+            marks.lines.push_back({line.from, line.to, line.colour, 2.6F});
         if (marks.lines.empty() && marks.dots.empty()) return;
         highlight_dots.set(marks.dots);
         highlight_lines.set(marks.lines, pass.pixel_scale);
         blend(true);
-        highlight_lines.draw(pass, mark_bias);
-        highlight_dots.draw(pass, mark_bias);
+        highlight_lines.draw(pass, mark_lift);
+        highlight_dots.draw(pass);
         for (LineMark& line : marks.lines) line.colour.a *= 0.3F;  // what is behind things shows through faintly
         highlight_lines.set(marks.lines, pass.pixel_scale);
         glDisable(GL_DEPTH_TEST);
@@ -152,8 +157,8 @@ void Renderer::set_scene(SceneSnapshot scene) {
 }
 
 void Renderer::set_solution(SolutionSnapshot solution) {
-    const bool drawable = solution != nullptr && solution->scene != nullptr && solution->mesh != nullptr &&
-                          solution->display != nullptr;
+    const bool drawable =
+        solution != nullptr && solution->scene != nullptr && solution->mesh != nullptr && solution->display != nullptr;
     buffers_->solution = drawable ? std::move(solution) : nullptr;
     buffers_->mesh_loaded = false;
     if (drawable) buffers_->cells.set(buffers_->solution);
@@ -181,15 +186,15 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
     b.draw_surfaces(pass, look);
     if (look.luminaires) b.draw_luminaires(pass);
     blend(true);
-    b.edges.draw(pass, line_bias);
+    b.edges.draw(pass, edge_lift);
     if (look.mesh_lines) {
         b.load_mesh(pass.pixel_scale);
-        b.mesh.draw(pass, line_bias);
+        b.mesh.draw(pass, edge_lift);
     }
     const Scene* shown = b.shown_scene();
     if (look.grids && look.scale == Scale::false_colour && shown != nullptr) {
         b.calculation.set(calculation_dots(*shown, b.solution.get(), look));
-        b.calculation.draw(pass, mark_bias);
+        b.calculation.draw(pass);
     }
     blend(false);
     b.draw_highlights(pass, highlights);

@@ -35,7 +35,7 @@ public:
     Renderer();
     ~Renderer();
 
-    void set_scene(SceneSnapshot scene);           ///< geometry that shows before any solution
+    void set_scene(SceneSnapshot scene);  ///< geometry that shows before any solution
     /// May be of an older scene: its light is drawn as it was, under the present scene's edges and
     /// luminaires. Null, or without a display mesh: plain faces.
     void set_solution(SolutionSnapshot solution);

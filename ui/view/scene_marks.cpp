@@ -104,8 +104,10 @@ LuminaireMarks luminaire_marks(const Scene& scene) {
     for (const Luminaire& luminaire : scene.luminaires) {
         const LuminaireShape shape = shape_of(luminaire, scene);
         const float on = luminaire.dimming > 0.0 ? 1.0F : 0.0F;
-        const glm::vec4 light = glm::mix(glm::vec4(0.45F, 0.46F, 0.48F, 1.0F), glm::vec4(1.0F, 0.992F, 0.94F, 1.0F), on);
-        for (const Polygon& opening : shape.shining) append_convex(marks.openings, opening, unit_normal(opening), light);
+        const glm::vec4 light =
+            glm::mix(glm::vec4(0.45F, 0.46F, 0.48F, 1.0F), glm::vec4(1.0F, 0.992F, 0.94F, 1.0F), on);
+        for (const Polygon& opening : shape.shining)
+            append_convex(marks.openings, opening, unit_normal(opening), light);
         for (const auto& [from, to] : shape.outline) marks.lines.push_back({from, to, ink::luminaire, 1.3F});
         if (shape.tube) {
             marks.lines.push_back({shape.tube->first, shape.tube->second, ink::luminaire, 7.0F});

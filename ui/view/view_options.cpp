@@ -11,10 +11,10 @@ namespace hanei {
 namespace {
 
 constexpr std::array step_digits{1.0, 1.5, 2.0, 3.0, 5.0, 7.5};
-constexpr double widest_range = 200.0;     // high / low: more and desks and floor share one colour
-constexpr double narrowest_range = 5.0;    // less and the mesh's own errors become colours
-constexpr double deepest_step = 1e-4;      // of the range's top: where the steps of a range from 0 begin
-constexpr double step_tolerance = 1e-9;    // relative: 0.1 + 0.2 is still the step 0.3
+constexpr double widest_range = 200.0;   // high / low: more and desks and floor share one colour
+constexpr double narrowest_range = 5.0;  // less and the mesh's own errors become colours
+constexpr double deepest_step = 1e-4;    // of the range's top: where the steps of a range from 0 begin
+constexpr double step_tolerance = 1e-9;  // relative: 0.1 + 0.2 is still the step 0.3
 
 double step_at(int decade, std::size_t digit) {
     // A division keeps steps under 1 lx the nearest double to what they are written as.
@@ -74,10 +74,14 @@ double percentile(const std::vector<Sample>& sorted, double share) {
 
 std::string_view name_of(LightPart part) {
     switch (part) {
-        case LightPart::total: return "total";
-        case LightPart::direct: return "direct";
-        case LightPart::interreflected: return "interreflected";
-        case LightPart::unshadowed: return "unshadowed";
+        case LightPart::total:
+            return "total";
+        case LightPart::direct:
+            return "direct";
+        case LightPart::interreflected:
+            return "interreflected";
+        case LightPart::unshadowed:
+            return "unshadowed";
     }
     return "";
 }
@@ -86,19 +90,26 @@ std::string_view name_of(Scale scale) { return scale == Scale::photo ? "photo" :
 
 std::string_view name_of(ColourSteps steps) {
     switch (steps) {
-        case ColourSteps::logarithmic: return "logarithmic";
-        case ColourSteps::linear: return "linear";
-        case ColourSteps::standard_steps: return "EN 12464-1 steps";
+        case ColourSteps::logarithmic:
+            return "logarithmic";
+        case ColourSteps::linear:
+            return "linear";
+        case ColourSteps::standard_steps:
+            return "EN 12464-1 steps";
     }
     return "";
 }
 
 float value_of(const DisplayVertex& vertex, LightPart part) {
     switch (part) {
-        case LightPart::total: return vertex.direct + vertex.interreflected;
-        case LightPart::direct: return vertex.direct;
-        case LightPart::interreflected: return vertex.interreflected;
-        case LightPart::unshadowed: return vertex.unshadowed;
+        case LightPart::total:
+            return vertex.direct + vertex.interreflected;
+        case LightPart::direct:
+            return vertex.direct;
+        case LightPart::interreflected:
+            return vertex.interreflected;
+        case LightPart::unshadowed:
+            return vertex.unshadowed;
     }
     return 0.0F;
 }

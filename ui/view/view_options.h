@@ -39,11 +39,11 @@ struct ViewOptions {
     Scale scale = Scale::false_colour;
     ColourSteps steps = ColourSteps::logarithmic;
     LuxRange range;
-    bool isolux = true;         ///< lines of equal illuminance with labels (false colour only)
+    bool isolux = true;  ///< lines of equal illuminance with labels (false colour only)
     bool mesh_lines = false;
-    bool grids = true;          ///< calculation points
+    bool grids = true;  ///< calculation points
     bool luminaires = true;
-    double exposure = 0.0;      ///< photo: stops added to the automatic exposure
+    double exposure = 0.0;  ///< photo: stops added to the automatic exposure
     bool operator==(const ViewOptions&) const = default;
 };
 
