@@ -159,7 +159,13 @@ std::optional<Diagnostic> play_script(std::string_view text, const std::string& 
         } catch (const std::runtime_error& failure) {
             fault = failure.what();
         }
-        if (!fault.empty()) return Diagnostic{Severity::error, {file, number, words[0]}, fault};
+        if (fault.empty()) continue;
+        Diagnostic finding;
+        finding.place.file = file;
+        finding.place.line = number;
+        finding.place.field = words[0];
+        finding.message = fault;
+        return finding;
     }
     return std::nullopt;
 }
