@@ -40,7 +40,7 @@ void read_tilt(const IesLabel& label, IesWords& words, Photometry& photometry, L
     } else {
         tilt.file = utf8_text(label.tilt);
         findings.warn(label.tilt_line, "TILT",
-                      quoted(label.tilt) + " is a file of its own and is not read; the lamp's tilt is left out");
+                      in_quotes(label.tilt) + " is a file of its own and is not read; the lamp's tilt is left out");
     }
     photometry.tilt = std::move(tilt);
 }
@@ -157,7 +157,7 @@ void warn_of_other_quantities(const Photometry& photometry, int line, LuminaireF
     const std::string* units = keyword(photometry, "_INTENSITYUNITS");
     if (units == nullptr || *units == "cd") return;
     findings.warn(line, "_INTENSITYUNITS",
-                  "the figures are in " + quoted(*units) + ", not candela: this is no visible light");
+                  "the figures are in " + in_quotes(*units) + ", not candela: this is no visible light");
 }
 
 }  // namespace

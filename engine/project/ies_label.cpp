@@ -33,7 +33,7 @@ IesVersion version_of(std::string_view line, int number, LuminaireFindings& find
     for (const Year& year : years) {
         if (line.find(year.digits) != std::string_view::npos) return year.version;
     }
-    findings.warn(number, "version", quoted(trimmed(line)) + " is no known version; read as LM-63-2002");
+    findings.warn(number, "version", in_quotes(trimmed(line)) + " is no known version; read as LM-63-2002");
     return IesVersion::v2002;
 }
 

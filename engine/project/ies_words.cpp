@@ -64,7 +64,7 @@ double IesWords::number_of(std::size_t count, std::size_t position, std::string_
     const std::optional<double> value = decimal_number(word);
     if (!value) {
         findings_.fault(line_, std::string{field},
-                        fmt::format("{} is no number; a plain decimal number is needed", quoted(word)));
+                        fmt::format("{} is no number; a plain decimal number is needed", in_quotes(word)));
     }
     return value.value_or(0.0);
 }

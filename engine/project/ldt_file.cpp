@@ -91,6 +91,7 @@ void read_declared(LdtLines& lines, LdtHeader& header, Photometry& photometry, L
 /// Line 26 and the lamp sets. The flux that scales cd/klm is that of the first.
 double read_lamps(LdtLines& lines, Photometry& photometry, LuminaireFindings& findings) {
     const int sets = lines.whole("number of lamp sets", {0.0, 1e6, "0 to what the file holds, 20 by the format"});
+    const int line = lines.line();
     if (static_cast<std::size_t>(sets) * 6 > lines.left()) {
         findings.fault(lines.line(), "number of lamp sets",
                        fmt::format("{} found, {} lines are left", sets, lines.left()));
@@ -109,10 +110,10 @@ double read_lamps(LdtLines& lines, Photometry& photometry, LuminaireFindings& fi
     }
     if (findings.failed()) return 0.0;
     if (sets == 0) {
-        findings.warn(lines.line(), "number of lamp sets", "0: the flux is unknown; 1000 lm are taken");
+        findings.warn(line, "number of lamp sets", "0: the flux is unknown; 1000 lm are taken");
         return 1000.0;
     }
-    if (sets > 1) findings.warn(lines.line(), "number of lamp sets", fmt::format("{}; the first one is used", sets));
+    if (sets > 1) findings.warn(line, "number of lamp sets", fmt::format("{}; the first one is used", sets));
     const LampSet& first = photometry.lamp_sets.front();
     photometry.absolute = first.count < 0.0;
     photometry.lamps = static_cast<int>(std::clamp(std::abs(first.count), 0.0, 1e6));

@@ -44,7 +44,7 @@ double LdtLines::parsed(std::string_view field) {
     if (!value) {
         findings_.fault(line(), std::string{field},
                         word.empty() ? "the line is blank; a number is needed"
-                                     : quoted(word) + " is no number; a plain decimal number is needed");
+                                     : in_quotes(word) + " is no number; a plain decimal number is needed");
     }
     return value.value_or(0.0);
 }

@@ -33,7 +33,7 @@ std::optional<double> decimal_number_with_comma(std::string_view text) {
     return decimal_number(with_point);
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
     constexpr std::size_t longest = 40;
     std::string shown = "\"";
     for (const char c : word.substr(0, longest)) shown += c >= ' ' && c <= '~' ? c : '?';

@@ -16,6 +16,6 @@ std::optional<double> decimal_number_with_comma(std::string_view text);
 
 /// What a message shows of a word from a file: in quotes, cut to a readable length, unprintable bytes
 /// as question marks.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 }  // namespace hanei

@@ -40,7 +40,7 @@ double number_in(const XmlReader& xml, std::string_view field, const std::string
     const auto value = decimal_number(trimmed(text));
     if (!value)
         findings.fault(xml.line(), std::string{field},
-                       quoted(text) + " is no number; a plain decimal number is needed");
+                       in_quotes(text) + " is no number; a plain decimal number is needed");
     return value.value_or(0.0);
 }
 

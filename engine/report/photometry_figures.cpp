@@ -60,14 +60,17 @@ PlaneFigures plane_figures(const Photometry& photometry, double plane_deg) {
     return figures;
 }
 
-/// True when every figure of the table equals the intensity in the mirrored plane.
+/// True when every figure of the table equals the intensity in the mirrored plane. At the poles, where
+/// all planes meet, there is nothing to compare.
 template <class Mirror>
 bool is_symmetric(const Photometry& photometry, double tolerance, const Mirror& mirror) {
     const double* candela = photometry.candela.data();
     for (const double plane : photometry.horizontal_deg) {
         for (const double gamma : photometry.vertical_deg) {
+            const double value = *candela++;
+            if (gamma == 0.0 || gamma == 180.0) continue;
             const Vec3 mirrored = photometric_direction(PhotometricType::C, {mirror(plane), gamma});
-            if (std::abs(*candela++ - intensity(photometry, mirrored).value) > tolerance) return false;
+            if (std::abs(value - intensity(photometry, mirrored).value) > tolerance) return false;
         }
     }
     return true;
