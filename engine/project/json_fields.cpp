@@ -109,9 +109,9 @@ const JsonValue* Fields::take(std::string_view key) {
     return value_.find(key);
 }
 
-void Fields::optional_scaled(std::string_view key, long double factor, double& target) {
+void Fields::optional_scaled(std::string_view key, FileUnit unit, double& target) {
     double shown = 0.0;
-    if (optional(key, shown)) target = scaled(*value_.find(key), factor);
+    if (optional(key, shown)) target = scaled(*value_.find(key), unit);
 }
 
 void Fields::missing(std::string_view key, std::string_view expected) {

@@ -4,6 +4,7 @@
 #include "engine/base/vector.h"
 #include "engine/project/json_value.h"
 
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,7 @@
 namespace hanei {
 
 /// Degrees of a file in radians.
-inline constexpr long double degree = 3.14159265358979323846264338327950288L / 180.0L;
+inline constexpr FileUnit degree{std::numbers::pi_v<long double>, 180.0};
 
 /// What all readers of one file share.
 struct JsonReading {
@@ -73,8 +74,8 @@ public:
         return optional(key, target);
     }
 
-    /// A number in a unit of `factor` engine units; kept when absent.
-    void optional_scaled(std::string_view key, long double factor, double& target);
+    /// A number in a unit of the file's; the target is left as it is when the field is absent.
+    void optional_scaled(std::string_view key, FileUnit unit, double& target);
     void optional_angle(std::string_view key, double& target) { optional_scaled(key, degree, target); }
 
     void missing(std::string_view key, std::string_view expected);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace hanei {
 namespace {
@@ -81,9 +82,8 @@ public:
 
     bool key(string_t& name) override {
         const JsonValue& object = *open_.back();
-        if (object.find(name) != nullptr)
-            fault(path() + (path().empty() ? "" : ".") + name, "the field stands here twice; keep one of them");
         key_ = std::move(name);
+        if (object.find(key_) != nullptr) fault(path(), "the field stands here twice; keep one of them");
         return true;
     }
 
@@ -111,7 +111,7 @@ private:
         }
         if (open_.empty()) return &(root = std::move(value));
         JsonValue& parent = *open_.back();
-        if (parent.is(JsonValue::Kind::object)) return &parent.add(std::move(key_), std::move(value));
+        if (parent.is(JsonValue::Kind::object)) return &parent.add(std::exchange(key_, {}), std::move(value));
         parent.items.push_back(std::move(value));
         return &parent.items.back();
     }
@@ -140,12 +140,18 @@ private:
         return line_;
     }
 
+    /// Of the value that is being read.
     std::string path() const {
         std::string text;
-        for (std::size_t level = 0; level + 1 < open_.size(); ++level) {
+        for (std::size_t level = 0; level < open_.size(); ++level) {
             const JsonValue& parent = *open_[level];
-            if (parent.is(JsonValue::Kind::list)) text += '[' + std::to_string(parent.items.size() - 1) + ']';
-            if (parent.is(JsonValue::Kind::object)) text += (text.empty() ? "" : ".") + parent.keys.back();
+            const bool innermost = level + 1 == open_.size();
+            if (parent.is(JsonValue::Kind::list)) {
+                text += '[' + std::to_string(parent.items.size() - (innermost ? 0 : 1)) + ']';
+            } else if (const std::string& name = innermost ? key_ : parent.keys.back(); !name.empty()) {
+                if (!text.empty()) text += '.';
+                text += name;
+            }
         }
         return printable(text);
     }

@@ -74,26 +74,31 @@ JsonValue json_number(double value) {
     return number_of(value, std::string(digits.data(), end));
 }
 
-double scaled(const JsonValue& number, long double factor) {
+double scaled(const JsonValue& number, FileUnit unit) {
+    constexpr std::ptrdiff_t typed = 15;  // every decimal number of so many digits survives a double
+    const auto digits =
+        std::count_if(number.text.begin(), number.text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (digits <= typed) return number.number * static_cast<double>(unit.multiply) / unit.divide;
     long double value = number.number;
     std::from_chars(number.text.data(), number.text.data() + number.text.size(), value);
-    return static_cast<double>(value * factor);
+    return static_cast<double>(value * unit.multiply / unit.divide);
 }
 
-JsonValue json_scaled(double value, long double factor) {
+JsonValue json_scaled(double value, FileUnit unit) {
     if (!std::isfinite(value) || value == 0.0) return json_number(value);
-    const long double shown = static_cast<long double>(value) / factor;
+    const long double shown = value * static_cast<long double>(unit.divide) / unit.multiply;
     std::array<char, 96> digits{};
     char* const begin = digits.data();
     char* const limit = begin + digits.size();
+    const auto number_to = [&](const char* end) {
+        return number_of(static_cast<double>(shown), std::string(begin, static_cast<std::size_t>(end - begin)));
+    };
     for (int decimals = 0; decimals <= 20 && reads_well_without_exponent(shown); ++decimals) {
-        const char* const end = std::to_chars(begin, limit, shown, std::chars_format::fixed, decimals).ptr;
-        JsonValue number =
-            number_of(static_cast<double>(shown), std::string(begin, static_cast<std::size_t>(end - begin)));
-        if (same_bits(scaled(number, factor), value)) return number;
+        JsonValue number = number_to(std::to_chars(begin, limit, shown, std::chars_format::fixed, decimals).ptr);
+        std::from_chars(begin, begin + number.text.size(), number.number);
+        if (same_bits(scaled(number, unit), value)) return number;
     }
-    const char* const end = std::to_chars(begin, limit, shown, std::chars_format::general, 21).ptr;
-    return number_of(static_cast<double>(shown), std::string(begin, static_cast<std::size_t>(end - begin)));
+    return number_to(std::to_chars(begin, limit, shown, std::chars_format::scientific, 20).ptr);
 }
 
 int line_of(const JsonValue& root, std::string_view path) {

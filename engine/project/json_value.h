@@ -34,12 +34,19 @@ JsonValue json_boolean(bool truth);
 JsonValue json_text(std::string text);
 /// Null with the text "not finite" for what JSON cannot write.
 JsonValue json_number(double value);
-/// `value` as a number in a unit of `factor` engine units, with the fewest decimals that scaled()
-/// turns back into the same bits.
-JsonValue json_scaled(double value, long double factor);
+/// From the unit of a file to the engine's: times `multiply`, divided by `divide`.
+struct FileUnit {
+    long double multiply = 1.0L;
+    double divide = 1.0;
+};
 
-/// A number of a file in engine units: digits times factor, rounded once.
-double scaled(const JsonValue& number, long double factor);
+/// A number of a file in engine units. Up to 15 digits are what people type: they are converted in
+/// double, as the window does. More digits are converted more finely and rounded once, because not
+/// every angle in radians has a double of degrees that leads to it.
+double scaled(const JsonValue& number, FileUnit unit);
+
+/// `value` in the unit of the file with the fewest decimals that scaled() turns back into the same bits.
+JsonValue json_scaled(double value, FileUnit unit);
 
 /// Reads a whole JSON text. `file` is what messages call it.
 ///

@@ -21,7 +21,7 @@ void take_option(Fields& fields, const Option<T>& option, Settings& settings) {
     } else if (option.scale == 1.0) {
         settings.*option.member = shown;
     } else {
-        settings.*option.member = static_cast<T>(scaled(*fields.value().find(field), 1.0L / option.scale));
+        settings.*option.member = static_cast<T>(scaled(*fields.value().find(field), {1.0L, option.scale}));
     }
 }
 

@@ -118,7 +118,7 @@ JsonValue json_of(const Settings& settings) {
     for_each_option([&](const auto& option) {
         const double value = settings.*option.member;
         object.add(field_of(option),
-                   option.scale == 1.0 ? json_number(value) : json_scaled(value, 1.0L / option.scale));
+                   option.scale == 1.0 ? json_number(value) : json_scaled(value, {1.0L, option.scale}));
     });
     return object;
 }

@@ -1,0 +1,113 @@
+/// A project in which every kind of object and every field occurs once.
+#pragma once
+
+#include "engine/project/project_file.h"
+
+namespace hanei {
+
+inline Photometry photometry_with_everything(ObjectId id) {
+    Photometry photometry;
+    photometry.id = id;
+    photometry.name = "louvre \"600\"";
+    photometry.source_file = "louvre.ies";
+    photometry.format = "LM-63-2002";
+    photometry.type = PhotometricType::B;
+    photometry.symmetry = PhotometricSymmetry::plane_90;
+    photometry.horizontal_deg = {90, 112.5, 270};
+    photometry.vertical_deg = {0, 1.0 / 3.0, 90};
+    photometry.candela = {1, 2, 3, 4, 5.000000000000001, 6, 7, 8, 1e-7};
+    photometry.opening = {OpeningShape::horizontal_cylinder, 0.6, 0.1, 0.05};
+    photometry.lamps = 2;
+    photometry.lamp_lumens = 3350;
+    photometry.absolute = true;
+    photometry.input_watts = 36.5;
+    photometry.candela_per_figure = 1.1;
+    photometry.declared_output_ratio = 0.72;
+    photometry.declared_downward_share = 1.0;
+    photometry.lamp_sets = {{2, "T16", 3350, "830", "1B", 54}, {-1, "", 0, "", "", 0}};
+    photometry.tilt = LampTilt{"", 2, {0, 90}, {1, 0.95}};
+    photometry.keywords = {{"TEST", "häuslich\n2"}, {"MORE", ""}};
+    photometry.warnings = {"planes 0 and 360 differ"};
+    photometry.unknown = R"({"cct_k": 3000})";
+    return photometry;
+}
+
+inline void add_furniture_of_every_kind(Scene& scene) {
+    const ObjectId wood = scene.materials[0].id;
+    Furniture desk{scene.new_id(), "desk", {1, 2, 0}, 0.3, {}, R"({"maker": "none"})"};
+    desk.parts.push_back({BoxShape{{1.6, 0.8, 0.03}}, {0, 0, 0.71}, 0.0, wood, R"({"grain": "along"})"});
+    const ConvexShape wedge{{{0, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}},
+                            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    desk.parts.push_back({wedge, {0, 0, 0}, -1.0, wood, {}});
+    scene.furniture.push_back(desk);
+    const Polygon hole{{2.2, 1, 1.2}, {2.2, 1, 1.4}, {2.4, 1, 1.4}};
+    FreeSurface screen{scene.new_id(), "screen", {{{2, 1, 1}, {3, 1, 1}, {3, 1, 2}, {2, 1, 2}}, {hole}},
+                       wood,           {12.5},   R"({"a": null})"};
+    scene.surfaces.push_back(screen);
+}
+
+inline void add_luminaires_of_every_kind(Scene& scene) {
+    const auto add = [&](Opening opening, Distribution distribution, Output output) -> Luminaire& {
+        Luminaire luminaire;
+        luminaire.id = scene.new_id();
+        luminaire.position = {2, 2, 2};
+        luminaire.opening = std::move(opening);
+        luminaire.distribution = distribution;
+        luminaire.output = output;
+        return scene.luminaires.emplace_back(std::move(luminaire));
+    };
+    const Region square{{{-0.3, -0.3, 0}, {-0.3, 0.3, 0}, {0.3, 0.3, 0}, {0.3, -0.3, 0}}, {}};
+    Luminaire& first = add(PointOpening{}, Diffuse{}, LuminousFlux{1000.1});
+    first.name = "first";
+    first.yaw = 1.0;
+    first.tilt = 0.1;
+    first.roll = -3.0;
+    first.dimming = 0.7;
+    first.opaque = true;
+    first.group = "row 1";
+    first.unknown = R"({"serial": 12345678901234567890, "opening": {"glass": "opal"}})";
+    add(PointOpening{}, CosinePower{4.5}, LuminousFlux{10});
+    add(LineOpening{{-0.6, 0, 0}, {0.6, 0, 0.1}}, Diffuse{}, LuminousFlux{3200});
+    add(PolygonOpening{square}, Diffuse{}, Luminance{2500});
+    add(PolyhedronOpening{{{0, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}},
+                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+                          {1, 0.5, 0, 1}},
+        Diffuse{}, LuminousFlux{800});
+    add(PolygonOpening{square}, Measured{scene.photometries[0].id}, LuminousFlux{3600});
+    add(MeasuredOpening{}, Measured{scene.photometries[0].id}, AsMeasured{});
+}
+
+inline Project project_with_everything() {
+    Project project;
+    Scene& scene = project.scene;
+    scene.title = "Everything – 半影";
+    scene.maintenance_factor = 0.8;
+    scene.materials.push_back({scene.new_id(), "wood", 1.0 / 3.0, R"({"gloss": 0.1})"});
+    scene.materials.push_back({scene.new_id(), "twin", 0.5, {}});
+    scene.materials.push_back({scene.new_id(), "twin", 0.6, {}});
+    const ObjectId twin = scene.materials[2].id;
+    Room room;
+    room.id = scene.new_id();
+    room.name = "room";
+    room.plan = {{0, 0}, {4, 0}, {4, 3.1}, {0, 3.1}};
+    room.floor_height = -0.15;
+    room.height = 2.8;
+    room.floor_material = room.ceiling_material = twin;
+    room.wall_materials = {twin, twin, scene.materials[0].id, twin};
+    room.sub_areas.push_back({scene.new_id(), "door", Room::wall_face(2), {1, 0}, {2, 2}, twin, R"({"fire": true})"});
+    room.sub_areas.push_back({scene.new_id(), "", Room::ceiling_face, {1, 1}, {2, 2}, twin, {}});
+    room.unknown = R"({"storey": 3})";
+    scene.room = room;
+    scene.photometries.push_back(photometry_with_everything(scene.new_id()));
+    add_furniture_of_every_kind(scene);
+    add_luminaires_of_every_kind(scene);
+    scene.grids.push_back({scene.new_id(), "grid", {0, 0, 0.8}, {4, 0, 0}, {0.1, 3, 0}, 0.3, R"({"task": "reading"})"});
+    scene.points.push_back({scene.new_id(), "point", {1, 2, 0.8}, {0, 0.6, 0.8}, {}});
+    scene.views.push_back({scene.new_id(), "view", {0.5, 0.5, 1.6}, {2, 2, 1}, 0.9, true, {}});
+    scene.last_id += 7;  // of objects that were deleted
+    scene.unknown = R"({"notes": ["a", {"b": 1.50}], "settings": {"sky": "overcast"}})";
+    project.settings = {Method::paper, 0.123456789, 4, 0.00123, 0.3, 2};
+    return project;
+}
+
+}  // namespace hanei
