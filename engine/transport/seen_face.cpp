@@ -1,6 +1,7 @@
 #include "engine/transport/seen_face.h"
 
 #include "engine/base/tolerance.h"
+#include "engine/geometry/polygon.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,11 +11,47 @@ namespace hanei {
 
 namespace {
 
+FlatBox box_of(const FaceLayout& layout, const Polygon& polygon) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    FlatBox box{infinite, infinite, -infinite, -infinite};
+    for (const Vec3& place : polygon) {
+        const double u = glm::dot(place, layout.along);
+        const double v = glm::dot(place, layout.across);
+        box = {std::min(box.low_u, u), std::min(box.low_v, v), std::max(box.high_u, u), std::max(box.high_v, v)};
+    }
+    return box;
+}
+
+/// The outline when it is convex, else the rectangle around it.
+std::vector<Vec3> convex_around(const FaceLayout& layout, const Face& face) {
+    const Polygon& outline = face.region.outline;
+    if (is_convex(outline, face.normal)) return outline;
+    const FlatBox box = box_of(layout, outline);
+    const Vec3 base = glm::dot(outline.front(), face.normal) * face.normal;
+    const auto place = [&](double u, double v) { return base + u * layout.along + v * layout.across; };
+    return {place(box.low_u, box.low_v), place(box.high_u, box.low_v), place(box.high_u, box.high_v),
+            place(box.low_u, box.high_v)};
+}
+
+void add_boxes(FaceLayout& layout, const Mesh& mesh) {
+    for (std::uint32_t p = 0; p < layout.face->patch_count; ++p) {
+        const FlatBox box = box_of(layout, mesh.patches[layout.face->first_patch + p].outline);
+        layout.boxes.push_back(box);
+        if (p % FaceLayout::group_size == 0) layout.group_boxes.push_back(box);
+        FlatBox& group = layout.group_boxes.back();
+        group = {std::min(group.low_u, box.low_u), std::min(group.low_v, box.low_v), std::max(group.high_u, box.high_u),
+                 std::max(group.high_v, box.high_v)};
+    }
+}
+
 FaceLayout layout_of(const Mesh& mesh, const MeshFace& face, double same_place) {
     FaceLayout layout;
     layout.face = &face;
-    layout.corners = face.face.region.outline;
+    layout.along = face.face.along;
+    layout.across = glm::cross(face.face.normal, face.face.along);
+    layout.corners = convex_around(layout, face.face);
     layout.same_place = same_place;
+    add_boxes(layout, mesh);
     for (std::uint32_t k = 0; k < face.vertex_count; ++k) {
         layout.vertices.push_back(mesh.vertices[face.first_vertex + k].receiver.position);
     }
