@@ -27,6 +27,20 @@ double suitable_patch(const Scene& scene) {
     return area > 0.0 ? std::sqrt(area / unknowns_aimed_at) : 1.0;
 }
 
+double mean_of_face(const Solution& solution, ObjectId surface) {
+    const auto found = solution.face_means.find(SurfaceRef{surface, 0});
+    return found == solution.face_means.end() ? NAN : found->second.total().value;
+}
+
+double mean_of_all(const Solution& solution) {
+    double flux = 0.0, area = 0.0;
+    for (std::size_t p = 0; p < solution.mesh->patches.size(); ++p) {
+        area += solution.mesh->patches[p].area;
+        flux += solution.mesh->patches[p].area * (solution.patch_direct[p] + solution.patch_interreflected[p]);
+    }
+    return flux / area;
+}
+
 std::vector<Judged> judged_points(const ReferenceCase& reference, const Solution& solution) {
     std::vector<Judged> judged;
     for (std::size_t k = 0; k < reference.points.size(); ++k) {
@@ -37,8 +51,7 @@ std::vector<Judged> judged_points(const ReferenceCase& reference, const Solution
         judged.back().error_bar = value.error.total();
     }
     for (const ReferenceMean& mean : reference.means) {
-        const auto found = solution.face_means.find(SurfaceRef{mean.surface, 0});
-        const double got = found == solution.face_means.end() ? NAN : found->second.total().value;
+        const double got = mean.surface ? mean_of_face(solution, mean.surface) : mean_of_all(solution);
         judged.push_back(judge("mean of " + mean.name, "", mean.expected, got, mean.uncertainty, mean.top, mean.pass));
     }
     return judged;

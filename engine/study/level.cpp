@@ -95,12 +95,11 @@ const Balance* Level::solve_balance(const LevelInput& input, const std::vector<d
     clock.mark_reused(factors_.reused());
     if (!factors) return nullptr;
 
-    const bool shadows = input.occluders && input.plan->simulates(Effect::occlusion_patches);
-    const VisibilityKey visibility_key{factor_key, shadows ? input.occluders : nullptr};
+    const VisibilityKey visibility_key{factor_key, input.patch_occluders};
     const Visibility* visibility = visibility_.get(visibility_key, [&]() -> std::optional<Visibility> {
-        if (!shadows) return Visibility{};
-        return paper ? paper_visibility(*mesh, *input.occluders, work)
-                     : patch_visibility(*mesh, centres_of(*mesh), *input.occluders, work);
+        if (!input.patch_occluders) return Visibility{};
+        return paper ? paper_visibility(*mesh, *input.patch_occluders, work)
+                     : patch_visibility(*mesh, centres_of(*mesh), *input.patch_occluders, work);
     });
     clock.mark_reused(visibility_.reused());
     if (!visibility) return nullptr;

@@ -32,7 +32,8 @@ struct LevelInput {
     const Settings* settings = nullptr;
     const EffectsPlan* plan = nullptr;
     double max_patch = 0.5;  ///< m
-    std::shared_ptr<const OccluderSet> occluders;  ///< null: nothing casts shadows
+    std::shared_ptr<const OccluderSet> occluders;        ///< of direct light; null: nothing casts shadows
+    std::shared_ptr<const OccluderSet> patch_occluders;  ///< of light between surfaces; null: nothing stands between
 };
 
 class Level {

@@ -48,7 +48,11 @@ PointValue value_at(const Solution& solution, const Vec3& position, const Vec3& 
 }
 
 double form_factor_between(const Scene& scene, const Region& from, const Region& to) {
-    return form_factor(from, to, occluders_of(scene));
+    // The corners become places of the scene: what can stand between them is then a shadow caster.
+    Scene with_corners = scene;
+    for (const Region* region : {&from, &to})
+        for (const Vec3& corner : region->outline) with_corners.points.push_back({with_corners.new_id(), "", corner, {0.0, 0.0, 1.0}, {}});
+    return form_factor(from, to, occluders_of(with_corners));
 }
 
 }  // namespace hanei

@@ -87,8 +87,10 @@ struct Study::Stages {
 };
 
 LevelInput Study::Stages::Run::fine_input() const {
-    const bool shadows = solution->plan.simulates(Effect::occlusion_direct);
-    return {scene.get(), &settings, &solution->plan, settings.max_patch, shadows ? solution->occluders : nullptr};
+    const auto if_simulated = [&](Effect effect) { return solution->plan.simulates(effect) ? solution->occluders : nullptr; };
+    return {scene.get(),        &settings,
+            &solution->plan,    settings.max_patch,
+            if_simulated(Effect::occlusion_direct), if_simulated(Effect::occlusion_patches)};
 }
 
 void Study::Stages::prepare(Run& run) {
@@ -121,18 +123,18 @@ std::optional<std::vector<double>> Study::Stages::direct_at_points(Run& run) {
 bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswer* rough) {
     run.clock.enter(Stage::gathering);
     Solution& solution = *run.solution;
-    const auto shadows = run.fine_input().occluders;
+    const auto between = run.fine_input().patch_occluders;
     const auto direct = direct_at_points(run);
     if (!direct) return false;
     std::vector<double> interreflected = nothing(points->size()), iteration = interreflected;
     std::vector<double> coarse_values(points->size(), -1.0);
     if (solution.plan.simulates(Effect::interreflection)) {
-        const auto rows = fine.rows_to(points_slot, points, shadows, run.work, run.clock);
+        const auto rows = fine.rows_to(points_slot, points, between, run.work, run.clock);
         if (!rows.factors) return false;
         interreflected = gather(*rows.factors, rows.visibility, answer.exitance, run.work);
         iteration = gather(*rows.factors, rows.visibility, answer.exitance_half_width, run.work);
         if (rough) {
-            const auto coarse_rows = coarse.rows_to(points_slot, points, shadows, run.work, run.clock);
+            const auto coarse_rows = coarse.rows_to(points_slot, points, between, run.work, run.clock);
             if (!coarse_rows.factors) return false;
             coarse_values = gather(*coarse_rows.factors, coarse_rows.visibility, rough->exitance, run.work);
             double squares = 0.0;
@@ -169,7 +171,7 @@ std::optional<LevelAnswer> Study::Stages::solve_coarse(Run& run) {
 
 std::optional<std::vector<double>> Study::Stages::open_interreflected(Run& run) {
     LevelInput input = run.fine_input();
-    input.occluders = nullptr;
+    input.occluders = input.patch_occluders = nullptr;
     open_fine.mesh(*run.scene, input.max_patch);
     const auto answer = open_fine.solve(input, run.work, run.clock);
     if (!answer) return std::nullopt;
@@ -183,7 +185,7 @@ std::optional<std::vector<double>> Study::Stages::vertex_interreflected(Run& run
     if (!answer.vertex_interreflected.empty()) return answer.vertex_interreflected;
     if (!run.solution->plan.simulates(Effect::interreflection)) return nothing(vertices->size());
     run.clock.enter(Stage::gathering);
-    const auto rows = fine.rows_to(vertices_slot, vertices, run.fine_input().occluders, run.work, run.clock);
+    const auto rows = fine.rows_to(vertices_slot, vertices, run.fine_input().patch_occluders, run.work, run.clock);
     if (!rows.factors) return std::nullopt;
     return gather(*rows.factors, rows.visibility, answer.exitance, run.work);
 }

@@ -100,11 +100,8 @@ FaceSeen seen_from(const FaceLayout& layout, const Receiver& receiver) {
         lowest = std::min(lowest, over_horizon);
         highest = std::max(highest, over_horizon);
     }
-    if (highest <= layout.same_place) {
-        // A sheet that the receiver lies on and faces fills its sky, though no corner is above it.
-        const bool face_to_face = highest >= -layout.same_place && glm::dot(front, receiver.normal) < 0.0;
-        return face_to_face && height <= layout.same_place ? FaceSeen::touching : FaceSeen::hidden;
-    }
+    // In the receiver's own plane nothing is seen, a sheet's back to back side least of all.
+    if (highest <= layout.same_place) return FaceSeen::hidden;
     // Heights under a few tolerances are left to the kernel that knows the limit in the plane.
     if (height <= 8.0 * layout.same_place) return FaceSeen::touching;
     return lowest >= 0.0 ? FaceSeen::wholly : FaceSeen::partly;
