@@ -82,6 +82,41 @@ void take_away(std::vector<Polygon>& parts, const FlatBox& box, const std::vecto
     }
 }
 
+/// True when more than `thickness` of the crease runs inside the convex polygon.
+bool runs_inside(const Crease& crease, const Polygon& polygon, const Vec3& normal, double thickness) {
+    const double length = glm::length(crease.to - crease.from);
+    double enters = 0.0;
+    double leaves = 1.0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec3 edge = polygon[(k + 1) % polygon.size()] - polygon[k];
+        const Vec3 inward = glm::cross(normal, glm::normalize(edge));
+        const double from = glm::dot(crease.from - polygon[k], inward);
+        const double to = glm::dot(crease.to - polygon[k], inward);
+        if (from <= thickness && to <= thickness) return false;
+        if (from < 0.0) enters = std::max(enters, from / (from - to));
+        if (to < 0.0) leaves = std::min(leaves, from / (from - to));
+    }
+    return (leaves - enters) * length > thickness;
+}
+
+void split(std::vector<Polygon>& parts, std::span<const Crease> creases, const Vec3& normal, double thickness) {
+    for (const Crease& crease : creases) {
+        const Vec3 left = glm::cross(normal, glm::normalize(crease.to - crease.from));
+        std::vector<Polygon> halves;
+        for (Polygon& part : parts) {
+            if (!runs_inside(crease, part, normal, thickness)) {
+                halves.push_back(std::move(part));
+                continue;
+            }
+            for (const Vec3& side : {left, -left}) {
+                Polygon half = clipped(part, {crease.from, side}, thickness);
+                if (!half.empty()) halves.push_back(std::move(half));
+            }
+        }
+        parts = std::move(halves);
+    }
+}
+
 /// Cuts cells along sub-areas, in their order: the later one is seen.
 void give_materials(std::vector<Cell>& cells, const FlatBox& box, const std::vector<Cutter>& areas, double thickness) {
     for (const Cutter& area : areas) {
@@ -107,7 +142,8 @@ int patches_along(double side, double wished) {
     return std::max(1, static_cast<int>(std::floor(std::min(side / wished, 1e6) + 0.5)));
 }
 
-std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, double max_patch, double thickness) {
+std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, std::span<const Crease> creases,
+                           double max_patch, double thickness) {
     const FaceFrame frame(face);
     const FlatBox whole(frame, face.region.outline);
     const std::vector<Cutter> pieces = cutters_of(frame, pieces_of(face.region, face.normal));
@@ -129,6 +165,7 @@ std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, do
             const FlatBox box(frame, cell);
             std::vector<Polygon> parts = inside_face(cell, box, pieces, face.normal, thickness);
             take_away(parts, box, cuts, thickness);
+            split(parts, creases, face.normal, thickness);
             std::vector<Cell> cut;
             for (Polygon& part : parts) cut.push_back({std::move(part), face.material});
             give_materials(cut, box, areas, thickness);

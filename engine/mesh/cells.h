@@ -13,15 +13,22 @@ struct Cell {
     ObjectId material;
 };
 
+/// A line in the plane of a face that no patch may cross.
+struct Crease {
+    Vec3 from{0.0};
+    Vec3 to{0.0};
+};
+
 /// The paper's equation 5, the number of patches along a side: floor(side / wished + 0.5), but at
 /// least 1 (as printed it divides by zero for a side under half the wished width).
 int patches_along(double side, double wished);
 
 /// Cells of a face, row by row along Face::along. The grid lies on the smallest rectangle around
 /// the face in that direction; cells are cut at the outline, by `covers` (convex polygons in the
-/// plane of the face) and where sub-areas begin. Slivers thinner than `thickness` are dropped.
+/// plane of the face), along creases and where sub-areas begin. Slivers thinner than `thickness` are dropped.
 ///
 /// Weak when a cell is cut: its pieces' corners may lie on edges of their neighbours (T-junctions).
-std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, double max_patch, double thickness);
+std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, std::span<const Crease> creases,
+                           double max_patch, double thickness);
 
 }  // namespace hanei

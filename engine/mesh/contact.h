@@ -3,6 +3,7 @@
 
 #include "engine/geometry/occluders.h"
 #include "engine/mesh/caps.h"
+#include "engine/mesh/cells.h"
 #include "engine/scene/faces.h"
 
 #include <optional>
@@ -33,6 +34,10 @@ public:
 
     /// Convex polygons in the plane of a face that cover it; they may overlap and reach beyond it.
     std::vector<Polygon> covers_of(std::size_t face) const;
+
+    /// Where sheets that are not in the plane of a face stand on it or go through it: a patch across
+    /// such a line would lie on both sides of the sheet.
+    std::vector<Crease> creases_of(std::size_t face) const;
 
 private:
     std::vector<Face> faces_;

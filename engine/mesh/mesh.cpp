@@ -42,7 +42,9 @@ private:
         face.first_vertex = static_cast<std::uint32_t>(mesh_.vertices.size());
         const std::vector<Polygon> covers = contacts_.covers_of(f);
         PlaceIndex places(4.0 * contacts_.same_place());  // a cut corner may be off by the cut's own tolerance
-        for (const Cell& cell : cells_of(face.face, covers, max_patch_, contacts_.same_place())) {
+        const std::vector<Crease> creases = contacts_.creases_of(f);
+        const double thickness = contacts_.same_place();
+        for (const Cell& cell : cells_of(face.face, covers, creases, max_patch_, thickness)) {
             add_patch(face, cell, places);
         }
         face.patch_count = static_cast<std::uint32_t>(mesh_.patches.size()) - face.first_patch;

@@ -138,10 +138,9 @@ void ShadowCast::mark_patches(const FaceLayout& layout, std::uint32_t cast) {
 void ShadowCast::mark_patch(std::uint32_t patch, const Polygon& outline, std::uint32_t cast) {
     bool inside = true;
     for (const HalfSpace& plane : casts_[cast]) {
-        const double reach = plane.reach + glm::dot(plane.outward, receiver_.position);
         bool all_outside = true;
         for (const Vec3& corner : outline) {
-            const double height = glm::dot(plane.outward, corner) - reach;
+            const double height = glm::dot(plane.outward, corner - receiver_.position) - plane.reach;
             all_outside = all_outside && height >= -plane.slack;
             inside = inside && height <= plane.slack;
         }

@@ -4,8 +4,10 @@
 #include "engine/mesh/cells.h"
 #include "tests/unit/mesh/sample_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
 namespace hanei {
@@ -222,6 +224,20 @@ TEST(Mesh, a_hole_in_a_free_surface_stays_open) {
     const auto mesh = make_mesh(scene, 0.4);
     EXPECT_NEAR(area_of(*mesh, 0), 5.0, rounding);
     EXPECT_EQ(mesh->faces[0].face.ref.object, plate);
+    expect_sound(*mesh);
+}
+
+TEST(Mesh, no_patch_lies_on_both_sides_of_a_screen_that_stands_on_it) {
+    Scene scene = sample::box_room(4.0, 3.0, 2.5);
+    sample::add_surface(scene, {{1.75, 1.0, 0.0}, {1.75, 2.1, 0.0}, {1.75, 2.1, 1.4}, {1.75, 1.0, 1.4}});
+    const auto mesh = make_mesh(scene, 0.5);
+    EXPECT_NEAR(area_of(*mesh, 0), 12.0, rounding);
+    for (const Patch& patch : mesh->patches) {
+        if (patch.face != 0 || patch.centre.y < 1.0 || patch.centre.y > 2.0) continue;
+        const auto [low, high] = std::minmax_element(patch.outline.begin(), patch.outline.end(),
+                                                     [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
+        EXPECT_FALSE(low->x < 1.75 - 1e-6 && high->x > 1.75 + 1e-6);
+    }
     expect_sound(*mesh);
 }
 
