@@ -12,13 +12,16 @@ namespace hanei {
 
 /// Sum over convex polygons of the integral of  I(direction) cos(theta) / r^2  dA.
 ///
-/// Elements (parallelograms with 2 x 2 Gauss points, triangles with 3) are split until they are
-/// smaller than the distance times the angle in which the distribution changes, then until the sum
-/// of the four quarters agrees with the whole.
+/// Elements are parallelograms with 2 x 2 Gauss points or triangles with 3. They begin no larger
+/// than the distance times the angle in which the distribution changes; then the one whose four
+/// quarters differ most from it is cut, until all differences together are small.
 ///
-/// Holds     a relative error of about 1e-3 by the difference of the last two levels, which
-///           overstates it; measured against fine sums: below 5e-4 (see the tests).
-/// Weak when the receiver touches the opening: splitting stops after 10 levels.
+/// Holds     about 1e-3 of the value: the differences overstate the error, but tables are bent at
+///           every angle, so that it is an estimate and no bound. Measured on a 1.2 m x 0.6 m panel,
+///           against fine sums: median below 1e-4, worst 2e-3 where more than a thousandth of the
+///           peak arrives.
+/// Weak when the receiver touches the opening: cutting stops after 10 levels.
+/// Cost      2 us for a cosine distribution two metres off, 100 us in a narrow beam.
 class OpeningIntegral {
 public:
     OpeningIntegral(const Photometry& photometry, const Mat3& rotation, const Receiver& receiver, double finest_beam);
@@ -35,11 +38,17 @@ private:
         double value = 0.0;
         std::array<Element, 4> quarters() const;
     };
+    /// An element cut into four: their sum, and how far the element's own value was from it.
+    struct Halved {
+        std::array<Element, 4> quarters;
+        double sum, difference;
+        int levels;  ///< how often it may still be cut
+    };
     double arriving(const Vec3& place) const;
     double sum(const Element& element) const;
-    bool is_fine(const Element& element) const;
+    bool is_finer(const Element& element, double share) const;
     void add_element(Element element, int levels);
-    double refined(const Element& element, double tolerance, int levels) const;
+    Halved halved(const Element& element, int levels) const;
 
     const Photometry& photometry_;
     const Mat3& rotation_;

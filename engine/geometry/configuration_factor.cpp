@@ -81,7 +81,11 @@ double factor_of(std::span<const Vec3> outline, std::span<const Polygon> holes, 
     const Vec3 area = vector_area(outline);
     const double size = glm::length(area);
     double farthest = 0.0;
-    for (const Vec3& point : outline) farthest = std::max(farthest, glm::distance(point, receiver.position));
+    for (const Vec3& point : outline) {
+        const Vec3 seen = point - receiver.position;
+        farthest = std::max(farthest, glm::dot(seen, seen));
+    }
+    farthest = std::sqrt(farthest);
     const double extent = diameter(outline);
     if (!(size > tolerance::no_area * extent * extent)) return 0.0;
 

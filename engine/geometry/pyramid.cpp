@@ -31,7 +31,7 @@ void Pyramid::add_axis(const Vec3& direction, std::span<const Vec3> points) {
     const double length = glm::length(direction);
     if (length == 0.0) return;
     Axis& axis = axes_[count_++];
-    axis = {direction / length, 0.0, 0.0};
+    axis = {direction / length, glm::abs(direction / length), 0.0, 0.0};
     for (const Vec3& point : points) {
         const double along = glm::dot(axis.direction, point - eye_);
         axis.low = std::min(axis.low, along);
@@ -49,7 +49,7 @@ bool Pyramid::may_touch(const Box& box) const {
     for (std::size_t k = 0; k < count_; ++k) {
         const Axis& axis = axes_[k];
         const double at = glm::dot(axis.direction, centre);
-        const double reach = glm::dot(glm::abs(axis.direction), half);
+        const double reach = glm::dot(axis.magnitude, half);
         if (at - reach > axis.high || at + reach < axis.low) return false;
     }
     return true;

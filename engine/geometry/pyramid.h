@@ -21,7 +21,7 @@ public:
 
 private:
     struct Axis {
-        Vec3 direction;
+        Vec3 direction, magnitude;
         double low, high;  ///< of the pyramid along it, seen from the eye
     };
     void add_axis(const Vec3& direction, std::span<const Vec3> points);
