@@ -34,7 +34,9 @@ void key_row(const std::string& keys, std::string_view what) {
     ImGui::TableNextColumn();
     ImGui::TextColored(style::colour(style::accent), "%s", keys.c_str());
     ImGui::TableNextColumn();
+    ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(what.data(), what.data() + what.size());
+    ImGui::PopTextWrapPos();
 }
 
 constexpr std::array mouse_map{
@@ -121,12 +123,12 @@ void Dialogs::findings(WidgetRegistry& widgets) {
 }
 
 void Dialogs::keys(WidgetRegistry& widgets) {
-    if (!begin("Keys and mouse", 900.0F)) return;
+    if (!begin("Keys and mouse", 960.0F)) return;
     if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
         ImGui::TableNextColumn();
         const auto begin_list = [](const char* id) {
             ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit);
-            ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 132.0F * style::scale());
+            ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 138.0F * style::scale());
             ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
         };
         ImGui::PushFont(style::fonts().small);
@@ -134,7 +136,7 @@ void Dialogs::keys(WidgetRegistry& widgets) {
         int shown = 0;
         for (const Command& entry : commands()) {
             if (entry.chord.key == Key::none) continue;
-            if (++shown == 20) {
+            if (++shown == 21) {
                 ImGui::EndTable();
                 ImGui::TableNextColumn();
                 begin_list("right");

@@ -11,6 +11,8 @@
 namespace hanei {
 namespace {
 
+constexpr float unit_width = 46.0F;  // of "cd/m²", the longest, and a gap
+
 std::string printf_format(int decimals) { return fmt::format("%.{}f", decimals); }
 
 }  // namespace
@@ -28,10 +30,9 @@ void tooltip(const char* text) {
 void tooltip(const std::string& text) { tooltip(text.c_str()); }
 
 void Form::begin(const char* id) {
-    ImGui::BeginTable(id, 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoPadOuterX);
+    ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoPadOuterX);
     ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed, 96.0F * style::scale());
     ImGui::TableSetupColumn("field", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, 38.0F * style::scale());
 }
 
 void Form::end() { ImGui::EndTable(); }
@@ -56,7 +57,7 @@ void Form::label(const char* text, const char* help) {
 }
 
 void Form::unit(const char* text) {
-    ImGui::TableNextColumn();
+    ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(style::colour(style::quiet_text), "%s", text);
 }
@@ -72,16 +73,16 @@ bool Form::accept_typed(bool edited, bool typing) {
 
 bool Form::number(const NumberField& field, double& value) {
     label(field.label, field.help);
+    ImGui::SetNextItemWidth(-unit_width * style::scale());  // units stand in a column of their own
     double shown = value;
     const std::string hidden = std::string("##") + field.name;
-    bool edited =
-        ImGui::DragScalar(hidden.c_str(), ImGuiDataType_Double, &shown, static_cast<float>(field.step), &field.low,
-                          &field.high, printf_format(field.decimals).c_str(), ImGuiSliderFlags_AlwaysClamp);
+    bool edited = ImGui::DragScalar(hidden.c_str(), ImGuiDataType_Double, &shown, static_cast<float>(field.step),
+                                    &field.low, &field.high, printf_format(field.decimals).c_str());
     widgets_.note(field.name);
     tooltip(field.help);
     const ImGuiID item = ImGui::GetItemID();
     const bool typing = ImGui::TempInputIsActive(item);
-    if (typing && edited) typed_number_ = shown;
+    if (typing) typed_number_ = shown;
     const bool was_typed = typing_ == item;
     const bool accepted = accept_typed(edited, typing);
     if (accepted && !edited) shown = typed_number_;
@@ -95,24 +96,16 @@ bool Form::number(const NumberField& field, double& value) {
     return true;
 }
 
-bool Form::whole(const NumberField& field, int& value) {
-    double shown = value;
-    if (!number(field, shown)) return false;
-    value = static_cast<int>(std::lround(shown));
-    return true;
-}
-
 bool Form::text(const char* name, const char* label_text, const char* help, std::string& value) {
     label(label_text, help);
     std::string shown = value;
-    const bool edited = ImGui::InputText((std::string("##") + name).c_str(), &shown);
+    const bool edited = ImGui::InputText((std::string("##") + name).c_str(), &shown, ImGuiInputTextFlags_AutoSelectAll);
     widgets_.note(name);
     tooltip(help);
     const bool typing = ImGui::IsItemActive();
-    if (edited) typed_text_ = shown;
+    if (edited || typing) typed_text_ = shown;
     if (edited && !typing) typing_ = ImGui::GetItemID();  // changed and finished within one frame
     const bool accepted = accept_typed(edited, typing);
-    unit("");
     if (!accepted || typed_text_ == value) return false;
     value = typed_text_;
     finished_ = true;
@@ -124,7 +117,6 @@ bool Form::toggle(const char* name, const char* label_text, const char* help, bo
     const bool changed = ImGui::Checkbox((std::string("##") + name).c_str(), &value);
     widgets_.note(name);
     tooltip(help);
-    unit("");
     finished_ |= changed;
     return changed;
 }
@@ -149,7 +141,6 @@ bool Form::choice(const char* name, const char* label_text, const char* help, st
         }
         ImGui::EndCombo();
     }
-    unit("");
     finished_ |= changed;
     return changed;
 }
@@ -159,7 +150,7 @@ void Form::fact(const char* label_text, const std::string& value, const char* un
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(value.c_str());
     if (ImGui::GetItemRectSize().x > ImGui::GetColumnWidth()) tooltip(value);
-    unit(unit_text);
+    if (*unit_text != '\0') unit(unit_text);
 }
 
 bool Form::button(const char* name, const char* label_text, const char* help) {

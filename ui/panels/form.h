@@ -1,4 +1,4 @@
-/// Rows of labelled fields with units, aligned in three columns: label, field, unit.
+/// Rows of labelled fields with units, aligned: label, field, unit.
 ///
 /// A dragged number changes on every frame; a typed one when it is finished (Enter, Tab, a click
 /// elsewhere), so that no half-typed figure is ever solved. Escape gives a typed one up.
@@ -31,7 +31,6 @@ public:
 
     /// All return true when the value changed.
     bool number(const NumberField& field, double& value);
-    bool whole(const NumberField& field, int& value);
     bool text(const char* name, const char* label, const char* help, std::string& value);
     bool toggle(const char* name, const char* label, const char* help, bool& value);
     bool choice(const char* name, const char* label, const char* help, std::span<const std::string> names, int& chosen);

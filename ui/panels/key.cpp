@@ -42,6 +42,7 @@ std::optional<Key> key_named(std::string_view name) {
 
 std::string to_text(const Chord& chord) {
     if (chord.key == Key::none) return {};
+    if (chord == Chord{Key::slash, false, true}) return "?";
     std::string text;
     if (chord.control) text += "Ctrl+";
     if (chord.shift) text += "Shift+";
@@ -53,6 +54,7 @@ std::string to_text(const Chord& chord) {
 }
 
 std::optional<Chord> chord_of(std::string_view text) {
+    if (text == "?") return Chord{Key::slash, false, true};
     Chord chord;
     for (;;) {
         const std::size_t plus = text.find('+');

@@ -63,6 +63,8 @@ void bound_field(const char* name, double& value, double low, double high, Widge
 
 }  // namespace
 
+float legend_margin() { return (card_width + 24.0F) * style::scale(); }
+
 void legend(ViewState& state, const ScreenRect& view, WidgetRegistry& widgets) {
     if (state.options.scale == Scale::photo) return;
     const float scale = style::scale();

@@ -19,7 +19,13 @@ struct Column {
     const char* title;
     float share;
     const char* help;
+    bool figures = false;  ///< right-aligned
 };
+
+void to_right(const char* text) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text).x;
+    if (room > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+}
 
 void header(std::span<const Column> columns) {
     for (const Column& column : columns) {
@@ -30,6 +36,7 @@ void header(std::span<const Column> columns) {
     for (int k = 0; k < static_cast<int>(columns.size()); ++k) {
         ImGui::TableSetColumnIndex(k);
         ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
+        if (columns[static_cast<std::size_t>(k)].figures) to_right(columns[static_cast<std::size_t>(k)].title);
         ImGui::TextUnformatted(columns[static_cast<std::size_t>(k)].title);
         ImGui::PopStyleColor();
         tooltip(columns[static_cast<std::size_t>(k)].help);
@@ -42,6 +49,12 @@ void cell(const std::string& text, ImU32 colour = style::text) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
     if (ImGui::GetItemRectSize().x > ImGui::GetColumnWidth()) tooltip(text);
+}
+
+void figure(const std::string& text) {
+    ImGui::TableNextColumn();
+    to_right(text.c_str());
+    ImGui::TextUnformatted(text.c_str());
 }
 
 bool name_cell(const std::string& name, ObjectId id, ObjectId selected, WidgetRegistry& widgets) {
@@ -77,12 +90,12 @@ std::optional<ObjectId> results_table(const Solution& solution, ObjectId selecte
     std::optional<ObjectId> clicked;
     constexpr Column columns[] = {
         {"Grid or point", 2.2F, "Where illuminance is reported"},
-        {"Mean  lx", 1.0F, "Mean illuminance of the grid, or the point's"},
-        {"Min  lx", 1.0F, "Least of the grid"},
-        {"Max  lx", 1.0F, "Greatest of the grid"},
-        {"U0", 0.7F, "Uniformity: least over mean (EN 12464-1)"},
-        {"Direct  lx", 1.0F, "Straight from luminaires"},
-        {"Error  ± lx", 1.0F, "How wrong a value may be at most: iteration, mesh and skipped effects"},
+        {"Mean  lx", 1.0F, "Mean illuminance of the grid, or the point's", true},
+        {"Min  lx", 1.0F, "Least of the grid", true},
+        {"Max  lx", 1.0F, "Greatest of the grid", true},
+        {"U0", 0.7F, "Uniformity: least over mean (EN 12464-1)", true},
+        {"Direct  lx", 1.0F, "Straight from luminaires", true},
+        {"Error  ± lx", 1.0F, "How wrong a value may be at most: iteration, mesh and skipped effects", true},
     };
     if (!ImGui::BeginTable("results", 7, table_look)) return clicked;
     header(columns);
@@ -91,20 +104,20 @@ std::optional<ObjectId> results_table(const Solution& solution, ObjectId selecte
         if (name_cell(display_name(*solution.scene, grid.grid), grid.grid, selected, widgets)) clicked = grid.grid;
         double direct = 0.0;
         for (const PointResult& point : grid.points) direct += point.value.direct.value;
-        cell(short_figure(figures.mean));
-        cell(short_figure(figures.min));
-        cell(short_figure(figures.max));
-        cell(fmt::format("{:.2f}", figures.uniformity));
-        cell(figures.points > 0 ? short_figure(direct / figures.points) : "–");
-        cell(short_figure(figures.largest_error));
+        figure(short_figure(figures.mean));
+        figure(short_figure(figures.min));
+        figure(short_figure(figures.max));
+        figure(fmt::format("{:.2f}", figures.uniformity));
+        figure(figures.points > 0 ? short_figure(direct / figures.points) : "–");
+        figure(short_figure(figures.largest_error));
     }
     for (const PointResult& point : solution.points) {
         if (name_cell(display_name(*solution.scene, point.point), point.point, selected, widgets))
             clicked = point.point;
-        cell(point.value.inside_solid ? "inside" : short_figure(point.value.total().value));
-        for (int k = 0; k < 3; ++k) cell("", style::quiet_text);
-        cell(short_figure(point.value.direct.value));
-        cell(short_figure(point.value.error.total()));
+        figure(point.value.inside_solid ? "inside" : short_figure(point.value.total().value));
+        for (int k = 0; k < 3; ++k) figure("");
+        figure(short_figure(point.value.direct.value));
+        figure(short_figure(point.value.error.total()));
     }
     ImGui::EndTable();
     return clicked;
@@ -112,11 +125,11 @@ std::optional<ObjectId> results_table(const Solution& solution, ObjectId selecte
 
 void effects_table(const EffectsPlan& plan, bool measured) {
     constexpr Column columns[] = {
-        {"Effect", 1.3F, "What light does that may be simulated"},
-        {"State", 0.9F, "Skipped effects are bounded, and counted in every error bar"},
-        {"Bound  lx", 0.7F, "What skipping leaves out at any point at most"},
-        {"Cost", 0.7F, "Predicted, or measured once it ran"},
-        {"Why", 4.0F, ""},
+        {"Effect", 2.0F, "What light does that may be simulated"},
+        {"State", 1.1F, "Skipped effects are bounded, and counted in every error bar"},
+        {"Bound  lx", 1.0F, "What skipping leaves out at any point at most"},
+        {"Cost", 0.9F, "Predicted, or measured once it ran"},
+        {"Why", 5.0F, ""},
     };
     if (!ImGui::BeginTable("effects", 5, table_look)) return;
     header(columns);
@@ -134,6 +147,7 @@ void effects_table(const EffectsPlan& plan, bool measured) {
 }
 
 void energy_table(const Solution& solution, bool measured) {
+    for (const std::string& note : solution.notes) ImGui::TextWrapped("%s", note.c_str());
     if (!ImGui::BeginTable("energy", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 220.0F * style::scale());
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, 110.0F * style::scale());
@@ -153,7 +167,6 @@ void energy_table(const Solution& solution, bool measured) {
              stage.reused ? "ms, reused" : "ms", "");
     }
     ImGui::EndTable();
-    for (const std::string& note : solution.notes) ImGui::TextWrapped("%s", note.c_str());
 }
 
 }  // namespace hanei

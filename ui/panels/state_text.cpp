@@ -97,8 +97,8 @@ std::string state_json(const Workbench& workbench) {
             const auto place = place_of(scene, object.id);
             const auto at = place ? workbench.viewport().on_screen(*place) : std::nullopt;
             if (!at) continue;
-            json +=
-                fmt::format("{}    {}: [{:.1f}, {:.1f}]", comma, json_text(display_name(scene, object.id)), at->x, at->y);
+            json += fmt::format("{}    {}: [{:.1f}, {:.1f}]", comma, json_text(display_name(scene, object.id)), at->x,
+                                at->y);
             comma = ",\n";
         }
     };

@@ -8,6 +8,9 @@ namespace hanei {
 
 void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution, WidgetRegistry& widgets);
 
+/// Pixels that the scale takes at the right of the view.
+float legend_margin();
+
 /// The colour scale with its range, in the top right corner of the given rectangle. Nothing for photos.
 void legend(ViewState& state, const ScreenRect& view, WidgetRegistry& widgets);
 

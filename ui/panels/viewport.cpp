@@ -2,6 +2,7 @@
 
 #include "ui/panels/edit.h"
 #include "ui/panels/style.h"
+#include "ui/view/legend.h"
 #include "ui/view/pick.h"
 
 #include <algorithm>
@@ -30,8 +31,16 @@ Vec2 Viewport::Pane::within(ImVec2 at) const {
     return {static_cast<double>((at.x - left) / width), static_cast<double>((at.y - top) / height)};
 }
 
-void Viewport::show_overview(const Scene& scene) { state.camera = overview(bounds_of(scene), aspect()); }
-void Viewport::show_plan(const Scene& scene) { state.camera = plan_view(bounds_of(scene), aspect()); }
+Camera Viewport::beside_margin(const Bounds& bounds, Camera (*preset)(const Bounds&, double)) const {
+    const bool covered =
+        !state.four_up && state.options.scale == Scale::false_colour && pane_.width > 2.0F * right_margin;
+    if (!covered) return preset(bounds, aspect());
+    const double share = static_cast<double>(right_margin / pane_.height);  // in picture heights
+    return panned(preset(bounds, aspect() - share), {-0.5 * share, 0.0}, aspect());
+}
+
+void Viewport::show_overview(const Scene& scene) { state.camera = beside_margin(bounds_of(scene), overview); }
+void Viewport::show_plan(const Scene& scene) { state.camera = beside_margin(bounds_of(scene), plan_view); }
 
 void Viewport::look_at(const Vec3& place) {
     state.camera.eye += place - state.camera.target;
@@ -47,13 +56,20 @@ std::optional<ImVec2> Viewport::on_pane(const Pane& pane, const Vec3& place) con
 
 std::optional<ImVec2> Viewport::on_screen(const Vec3& place) const { return on_pane(pane_, place); }
 
+ViewOptions Viewport::options_of(const Input& input, int k) const {
+    ViewOptions look = state.options;
+    if (state.four_up) look.part = four_parts[k];
+    const ObjectKind kind = kind_of(*input.scene, input.selected);
+    look.grids |= kind == ObjectKind::grid || kind == ObjectKind::point;
+    return look;
+}
+
 void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
     const int count = state.four_up ? 4 : 1;
     for (int k = 0; k < count; ++k) {
         const Pane& pane = panes_[k];
-        ViewRequest request{k, input.scene, input.solution, state.camera, state.options, {}, {}, moving()};
+        ViewRequest request{k, input.scene, input.solution, state.camera, options_of(input, k), {}, {}, moving()};
         request.size = {static_cast<int>(pane.width), static_cast<int>(pane.height)};
-        if (state.four_up) request.options.part = four_parts[k];
         if (input.selected) request.highlights.selected.push_back(input.selected);
         request.highlights.hovered = hovered_;
         if (void* texture = paint(request)) {
@@ -67,7 +83,9 @@ void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
 Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, WidgetRegistry& widgets) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const Pane all{corner.x, corner.y, std::max(16.0F, std::floor(room.x)), std::max(16.0F, std::floor(room.y))};
+    const float kept_clear = state.four_up && state.options.scale == Scale::false_colour ? right_margin : 0.0F;
+    const Pane all{corner.x, corner.y, std::max(16.0F, std::floor(room.x - kept_clear)),
+                   std::max(16.0F, std::floor(room.y))};
     const float gap = 2.0F;
     const float width = state.four_up ? std::floor((all.width - gap) / 2.0F) : all.width;
     const float height = state.four_up ? std::floor((all.height - gap) / 2.0F) : all.height;
@@ -107,12 +125,9 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
     for (int k = 0; k < (state.four_up ? 4 : 1); ++k) {
         const Pane& each = panes_[k];
         draw_list.PushClipRect({each.left, each.top}, {each.left + each.width, each.top + each.height}, true);
+        draw_isolux_labels(input, each, k);
         draw_handles(input, each, widgets);
-        if (state.four_up) {
-            const std::string title(name_of(four_parts[k]));
-            draw_list.AddText(style::fonts().strong, ImGui::GetFontSize(), {each.left + 12.0F, each.top + 9.0F},
-                              style::text, title.c_str());
-        }
+        if (state.four_up) draw_title(each, heading_of(four_parts[k]));
         draw_list.PopClipRect();
     }
     draw_readout(input, all);

@@ -5,6 +5,7 @@
 #include "ui/panels/probe.h"
 #include "ui/panels/view_painter.h"
 #include "ui/panels/widget_registry.h"
+#include "ui/view/isolux_labels.h"
 
 #include <imgui.h>
 #include <optional>
@@ -52,6 +53,9 @@ public:
     /// Picture width over height, as drawn last.
     double aspect() const { return pane_.height > 0.0F ? static_cast<double>(pane_.width / pane_.height) : 1.5; }
 
+    /// Pixels at the right that the scale stands in: presets keep the room clear of it.
+    float right_margin = 0.0F;
+
     void show_overview(const Scene& scene);
     void show_plan(const Scene& scene);
     void look_at(const Vec3& place);
@@ -69,12 +73,16 @@ private:
         bool begun = false;  ///< the mouse went far enough to mean it
     };
 
+    Camera beside_margin(const Bounds& bounds, Camera (*preset)(const Bounds&, double)) const;
+    void draw_isolux_labels(const Input& input, const Pane& pane, int k);
     void paint_panes(const Input& input, const ViewPainter& paint);
     void look_around(const Pane& pane);
     Outcome handle_press(const Input& input, const Pane& pane);
     Outcome handle_drag(const Input& input, const Pane& pane);
     void read_light(const Input& input, const Pane& pane, bool hovered);
     void draw_handles(const Input& input, const Pane& pane, WidgetRegistry& widgets);
+    ViewOptions options_of(const Input& input, int k) const;
+    void draw_title(const Pane& pane, const std::string& text) const;
     void draw_readout(const Input& input, const Pane& all) const;
     std::optional<Axis> handle_under(const Input& input, const Pane& pane, ImVec2 at) const;
     std::optional<ImVec2> on_pane(const Pane& pane, const Vec3& place) const;
@@ -94,6 +102,13 @@ private:
         SolutionSnapshot solution;
         SceneSnapshot scene;
     } probed_;
+    struct Labels {
+        std::vector<IsoluxLabel> labels;
+        SolutionSnapshot solution;
+        Camera camera;
+        ViewOptions options;
+        PixelSize size;
+    } labels_[4];
 };
 
 }  // namespace hanei

@@ -28,7 +28,45 @@ void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float scale) 
     list.AddTriangleFilled(to, {neck.x + side.x, neck.y + side.y}, {neck.x - side.x, neck.y - side.y}, colour);
 }
 
+/// Text on a dark ground, so that it reads over any picture.
+void chip(ImVec2 at, const std::string& text, ImU32 colour) {
+    const float scale = style::scale();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({at.x - 8.0F * scale, at.y - 4.0F * scale},
+                       {at.x + size.x + 8.0F * scale, at.y + size.y + 5.0F * scale}, IM_COL32(20, 22, 26, 225),
+                       5.0F * scale);
+    list.AddText(at, colour, text.c_str());
+}
+
 }  // namespace
+
+void Viewport::draw_title(const Pane& pane, const std::string& text) const {
+    const float scale = style::scale();
+    chip({pane.left + 18.0F * scale, pane.top + 14.0F * scale}, text, style::text);
+}
+
+/// Named at rest only: finding the places takes as long as a picture.
+void Viewport::draw_isolux_labels(const Input& input, const Pane& pane, int k) {
+    const ViewOptions look = options_of(input, k);
+    if (!look.isolux || look.scale == Scale::photo || !input.solution || moving()) return;
+    Labels& kept = labels_[k];
+    const PixelSize size{static_cast<int>(pane.width), static_cast<int>(pane.height)};
+    if (kept.solution != input.solution || kept.camera != state.camera || kept.options != look || kept.size != size) {
+        kept = {isolux_labels(*input.solution, state.camera, look, size, style::scale()), input.solution, state.camera,
+                look, size};
+    }
+    ImFont* font = style::fonts().small;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const IsoluxLabel& label : kept.labels) {
+        const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e4F, 0.0F, label.text.c_str());
+        const ImVec2 at{std::floor(pane.left + static_cast<float>(label.at.x) * pane.width - 0.5F * extent.x),
+                        std::floor(pane.top + static_cast<float>(label.at.y) * pane.height - 0.5F * extent.y)};
+        list.AddRectFilled({at.x - 3.0F, at.y}, {at.x + extent.x + 3.0F, at.y + extent.y}, IM_COL32(250, 250, 250, 205),
+                           3.0F);
+        list.AddText(font, font->FontSize, at, IM_COL32(24, 26, 30, 255), label.text.c_str());
+    }
+}
 
 double Viewport::handle_length(const Vec3& place) const {
     return handle_share * picture_height_at(state.camera, place);
@@ -66,25 +104,15 @@ void Viewport::draw_handles(const Input& input, const Pane& pane, WidgetRegistry
     const Vec3 by = drag_->last - drag_->gesture.start;
     const std::string text = drag_->gesture.axis == Axis::z ? fmt::format("z {:.2f} m  ({:+.2f})", drag_->last.z, by.z)
                                                             : fmt::format("{:+.2f}  {:+.2f} m", by.x, by.y);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 at{origin->x - 0.5F * size.x, origin->y + 16.0F * scale};
-    list.AddRectFilled({at.x - 7.0F * scale, at.y - 3.0F * scale},
-                       {at.x + size.x + 7.0F * scale, at.y + size.y + 3.0F * scale}, IM_COL32(20, 22, 26, 225),
-                       4.0F * scale);
-    list.AddText(at, style::text, text.c_str());
+    chip({origin->x - 0.5F * ImGui::CalcTextSize(text.c_str()).x, origin->y + 16.0F * scale}, text, style::text);
 }
 
 void Viewport::draw_readout(const Input& input, const Pane& all) const {
     if (!probe_ || drag_) return;
     const float scale = style::scale();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string text = probe_->text() + (input.stale ? " · before the last change" : "");
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 at{all.left + 20.0F * scale, all.top + all.height - size.y - 17.0F * scale};
-    list.AddRectFilled({at.x - 9.0F * scale, at.y - 5.0F * scale},
-                       {at.x + size.x + 9.0F * scale, at.y + size.y + 6.0F * scale}, IM_COL32(20, 22, 26, 225),
-                       5.0F * scale);
-    list.AddText(at, input.stale ? style::quiet_text : style::text, text.c_str());
+    chip({all.left + 20.0F * scale, all.top + all.height - ImGui::GetTextLineHeight() - 17.0F * scale}, text,
+         input.stale ? style::quiet_text : style::text);
 }
 
 }  // namespace hanei

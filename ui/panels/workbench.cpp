@@ -2,6 +2,7 @@
 
 #include "ui/panels/edit.h"
 #include "ui/panels/style.h"
+#include "ui/panels/view_bar.h"
 
 #include <imgui_internal.h>
 
@@ -9,12 +10,9 @@ namespace hanei {
 
 Workbench::Workbench(ProjectContent content, std::filesystem::path file, ProjectDoor door, std::function<void()> wake,
                      Options how)
-    : how_(how),
-      door_(std::move(door)),
-      document_(std::move(content), std::move(file)),
-      study_(std::move(wake)) {
-    const Scene& scene = *document_.shown();
-    viewport_.show_overview(scene);
+    : how_(how), door_(std::move(door)), document_(std::move(content), std::move(file)), study_(std::move(wake)) {
+    viewport_.right_margin = legend_margin();
+    viewport_.state.options.grids = false;  // dots over every surface; shown with a chosen grid, or by N
 }
 
 std::string Workbench::title() const { return (document_.is_saved() ? "" : "• ") + document_.title() + " – Hanei"; }
@@ -74,6 +72,11 @@ void Workbench::draw(const ViewPainter& paint) {
     left({all.left, all.top, left_edge, all.bottom});
     bottom({left_edge + 1.0F, bottom_edge + 1.0F, right_edge, all.bottom});
     centre({left_edge + 1.0F, all.top, right_edge, bottom_edge}, paint);
+    if (shows_overview_) {
+        // The view's size is known once it was drawn.
+        viewport_.show_overview(*document_.shown());
+        shows_overview_ = false;
+    }
     settle();
     follow_study();
     status_line({0.0F, all.bottom, screen.x, screen.y});

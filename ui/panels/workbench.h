@@ -83,7 +83,8 @@ private:
     ObjectId selected_;
     bool snaps_ = true;
     bool quits_ = false;
-    unsigned gesture_item_ = 0;  ///< the ImGui item whose gesture the working copy belongs to
+    bool shows_overview_ = true;  ///< once the view has a size
+    unsigned gesture_item_ = 0;   ///< the ImGui item whose gesture the working copy belongs to
     std::string message_;
     std::filesystem::path picture_;  ///< to be written after this frame
     long frames_ = 0;

@@ -68,7 +68,7 @@ void Workbench::menu_bar() {
     if (open) ImGui::EndMenu();
     const std::string name = (document_.is_saved() ? "" : "•  ") + document_.title();
     const float width = ImGui::CalcTextSize(name.c_str()).x;
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - 16.0F * style::scale());
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - 28.0F * style::scale());
     ImGui::TextColored(style::colour(style::quiet_text), "%s", name.c_str());
     tooltip(document_.is_saved() ? "Saved" : "Has changes that were not saved");
     ImGui::EndMainMenuBar();
@@ -77,7 +77,7 @@ void Workbench::menu_bar() {
 void Workbench::left(const ScreenRect& area) {
     begin_panel("##left", area);
     movable_edge(Edge::right, area, left_width_, 140.0F, 420.0F);
-    headline("Project", "");
+    headline("Objects", "");
     ImGui::BeginChild("tree");
     if (const auto clicked = object_tree(*document_.shown(), selected_, widgets_)) selected_ = *clicked;
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemHovered())
@@ -185,10 +185,13 @@ void Workbench::status_line(const ScreenRect& area) {
         text = study_.faults().front().message;
     } else if (study_.fresh()) {
         light = style::good;
+        const bool as_set = !solution->converged && solution->bounces >= document_.settings().bounces;
         text = fmt::format("{} · {} interreflections · iteration error ≤ {} lx",
-                           solution->converged ? "Converged" : "Stopped before the accuracy was reached",
+                           solution->converged ? "Converged"
+                           : as_set            ? "Ended after the bounces that are set"
+                                               : "Not converged",
                            solution->bounces, short_figure(solution->iteration_bound));
-        if (!solution->converged) light = style::warning;
+        if (!solution->converged && !as_set) light = style::warning;
     } else if (study_.busy()) {
         light = style::accent;
         const Stage stage = study_.progress().stage();

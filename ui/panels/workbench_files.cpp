@@ -33,7 +33,7 @@ void Workbench::load(const std::filesystem::path& file) {
     document_ = Document(std::move(*opened.content), file);
     selected_ = {};
     viewport_.state.range_fitted = false;
-    viewport_.show_overview(*document_.shown());
+    shows_overview_ = true;
     message_ = "Opened " + file.filename().string();
 }
 
