@@ -74,7 +74,7 @@ float line_cover(float lux, float steepness, out float line_lux) {
 vec3 photograph(float lux) {
     float shown = exposure * reflectance * lux / 3.14159265;
     shown = shown * pow(max(shown, 1e-6), 0.18);   // a film's contrast about the middle
-    float white = 6.0;   // what the shoulder brings to full white, in middle exposures
+    float white = 8.0;   // what the shoulder brings to full white, in middle exposures
     float toned = clamp(shown * (1.0 + shown / (white * white)) / (1.0 + shown), 0.0, 1.0);
     vec3 linear = toned * mix(vec3(0.93, 0.98, 1.07), vec3(1.0, 0.985, 0.95), toned);
     vec3 low = 12.92 * linear, high = 1.055 * pow(max(linear, 1e-6), vec3(1.0 / 2.4)) - 0.055;
@@ -95,6 +95,6 @@ void main() {
     vec3 shown = scale_colour(position);
     float line_lux;
     float cover = line_cover(lux, steepness, line_lux);
-    vec3 ink = scale_position(line_lux * 1.0001) < 0.5 ? vec3(1.0) : vec3(0.02, 0.03, 0.05);
-    colour = vec4(mix(shown, ink, 0.62 * cover), 1.0);
+    vec4 ink = scale_position(line_lux * 1.0001) < 0.5 ? vec4(vec3(1.0), 0.5) : vec4(0.02, 0.03, 0.05, 0.62);
+    colour = vec4(mix(shown, ink.rgb, ink.a * cover), 1.0);
 }

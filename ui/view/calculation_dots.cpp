@@ -7,7 +7,7 @@
 namespace hanei {
 namespace {
 
-constexpr glm::vec4 ring{0.08F, 0.09F, 0.10F, 0.75F};
+constexpr glm::vec4 ring{0.08F, 0.09F, 0.10F, 0.6F};
 constexpr float grid_radius = 3.6F, point_radius = 5.5F;  // pixels
 constexpr double share_of_spacing = 0.13;                 // dots of a grid never touch
 

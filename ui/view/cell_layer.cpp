@@ -13,6 +13,10 @@ namespace {
 constexpr std::size_t most_lines = 64;  // as the shader's arrays
 constexpr float isolux_width = 1.5F;    // pixels of a picture 900 high
 
+// Share by which cells are drawn too large: where a corner of one lies on an edge of another, their
+// borders differ by the graphics' rounding, and the background would sparkle through.
+constexpr double overlap = 2e-4;
+
 struct CellVertex {
     glm::vec3 position;
     glm::vec2 flat;
@@ -24,19 +28,17 @@ void append_cell(std::vector<CellVertex>& vertices, std::vector<GLuint>& indices
                  const DisplayCell& cell, double reflectance) {
     const CellFrame frame = frame_of(solution, cell);
     const GLuint first = static_cast<GLuint>(vertices.size());
+    Vec3 centre(0.0);
+    for (const std::uint32_t corner : cell.corner) centre += 0.25 * solution.display->vertices[corner].position;
     for (std::size_t k = 0; k < 4; ++k) {
-        const Vec3& place = solution.display->vertices[cell.corner[k]].position;
+        const Vec3& corner = solution.display->vertices[cell.corner[k]].position;
+        const Vec3 place = corner + overlap * (corner - centre);
         const Vec2 flat = frame.flat(place);
         vertices.push_back({glm::vec3(place), glm::vec2(flat), glm::vec4(frame.corner[1], frame.corner[3]),
                             glm::vec4(frame.corner[2], reflectance, 0.0)});
     }
     indices.insert(indices.end(), {first, first + 1, first + 2});
     if (!frame.triangle) indices.insert(indices.end(), {first, first + 2, first + 3});
-}
-
-double reflectance_of(const Solution& solution, const DisplayCell& cell) {
-    const Material* material = find_material(*solution.scene, solution.mesh->patches[cell.patch].material);
-    return material != nullptr ? material->reflectance : 0.0;
 }
 
 std::vector<float> shader_array(const std::vector<double>& values) {
@@ -50,14 +52,15 @@ std::vector<float> shader_array(const std::vector<double>& values) {
 }  // namespace
 
 double automatic_exposure(const Solution& solution) {
-    constexpr double mean_shown = 0.95;  // before the shoulder: half of white after it, a light grey
+    constexpr double mean_shown = 0.78;  // before the shoulder: 0.43 of white after it, a light grey
     double flux = 0.0, area = 0.0;
+    const PerPatch<double> reflectance = reflectances(*solution.mesh, *solution.scene);
     for (const DisplayCell& cell : solution.display->cells) {
         const std::array<double, 4> lux = corner_values(*solution.display, cell, LightPart::total);
         const CellFrame frame = frame_of(solution, cell);
         const Vec2 a = frame.corner[2], b = frame.corner[3] - frame.corner[1];
         const double size = std::abs(0.5 * (a.x * b.y - a.y * b.x)) * (frame.triangle ? 0.5 : 1.0);
-        flux += size * reflectance_of(solution, cell) * bilinear(lux, Vec2(0.5)) / std::numbers::pi;
+        flux += size * reflectance[PatchId{cell.patch}] * bilinear(lux, Vec2(0.5)) / std::numbers::pi;
         area += size;
     }
     return flux > 0.0 ? mean_shown * area / flux : 1.0;
@@ -85,8 +88,9 @@ void CellLayer::set(SolutionSnapshot solution) {
     std::vector<CellVertex> vertices;
     std::vector<GLuint> indices;
     vertices.reserve(4 * solution_->display->cells.size());
+    const PerPatch<double> reflectance = reflectances(*solution_->mesh, *solution_->scene);
     for (const DisplayCell& cell : solution_->display->cells) {
-        append_cell(vertices, indices, *solution_, cell, reflectance_of(*solution_, cell));
+        append_cell(vertices, indices, *solution_, cell, reflectance[PatchId{cell.patch}]);
     }
     cells_.fill(vertices);
     cells_.fill_indices(indices);

@@ -17,7 +17,8 @@ constexpr double text_margin = 5.0;      // pixels kept free around
 constexpr int labels_a_line = 3;         // in pictures that have the room; small ones name a line once
 constexpr int small_picture = 500;       // rows at scale 1
 constexpr double least_distance = 0.35;  // picture heights between two labels of one figure
-constexpr double worst_clutter = 0.12;   // of the label's area: more and it is unreadable
+constexpr double worst_clutter = 0.15;   // of the label's area: more and it reads as belonging elsewhere
+constexpr double steepest = 1.12;        // ratio of neighbouring pixels: beyond, a line has no place of its own
 
 /// One visible piece of one line: the buffer's pixels it runs through.
 struct LinePiece {
@@ -52,18 +53,19 @@ public:
         return found;
     }
 
-    /// Share of a box that other lines and edges of surfaces take up; 1 when it leaves the picture.
+    /// Share of a box that other lines, edges and other surfaces take up; 1 when it leaves the picture.
     double clutter(int x, int y, int half_width, int half_height, int own) const {
         const PixelSize& size = buffer_.size;
         const bool leaves = x - half_width < 1 || y - half_height < 1 || x + half_width >= size.width - 1 ||
                             y + half_height >= size.height - 1;
         if (leaves) return 1.0;
+        const int face = buffer_.face[buffer_.at(x, y)];
         double disturbing = 0.0;
         for (int v = y - half_height; v <= y + half_height; ++v) {
             for (int u = x - half_width; u <= x + half_width; ++u) {
                 const std::size_t pixel = buffer_.at(u, v);
                 const bool other_line = level_[pixel] != none && level_[pixel] != own;
-                if (other_line || edge_[pixel] != 0 || buffer_.face[pixel] < 0) disturbing += 1.0;
+                if (other_line || edge_[pixel] != 0 || buffer_.face[pixel] != face) disturbing += 1.0;
             }
         }
         return disturbing / ((2.0 * half_width + 1.0) * (2.0 * half_height + 1.0));
@@ -79,6 +81,10 @@ private:
         return static_cast<int>(std::upper_bound(steps.begin(), steps.end(), lux) - steps.begin());
     }
 
+    static double ratio(float a, float b) {
+        return static_cast<double>(std::max(a, b)) / std::max(1e-9, static_cast<double>(std::min(a, b)));
+    }
+
     void mark(std::size_t a, std::size_t b, const std::vector<double>& steps) {
         if (buffer_.face[a] != buffer_.face[b]) {
             edge_[a] = 1;
@@ -88,7 +94,8 @@ private:
         const int low = steps_under(static_cast<double>(buffer_.lux[a]), steps);
         const int high = steps_under(static_cast<double>(buffer_.lux[b]), steps);
         if (low == high) return;
-        level_[a] = std::abs(high - low) == 1 && level_[a] != several ? std::min(low, high) : several;
+        const bool readable = std::abs(high - low) == 1 && ratio(buffer_.lux[a], buffer_.lux[b]) < steepest;
+        level_[a] = readable && level_[a] != several ? std::min(low, high) : several;
     }
 
     void grow(LinePiece& piece, int from, std::vector<char>& seen) const {

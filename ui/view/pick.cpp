@@ -49,6 +49,17 @@ double distance_to(const Ray& ray, const Solid& solid) {
     return nearest;
 }
 
+/// Within the cell's box: most cells of a face are passed over by this.
+bool near_cell(const DisplayMesh& display, const DisplayCell& cell, const Vec3& place) {
+    constexpr double slack = 1e-6;  // m: boxes of cells are flat
+    Vec3 low = display.vertices[cell.corner[0]].position, high = low;
+    for (const std::uint32_t corner : cell.corner) {
+        low = glm::min(low, display.vertices[corner].position);
+        high = glm::max(high, display.vertices[corner].position);
+    }
+    return glm::all(glm::greaterThanEqual(place, low - slack)) && glm::all(glm::lessThanEqual(place, high + slack));
+}
+
 /// How near a segment comes to a picture position, in picture heights.
 double distance_on_picture(const Camera& camera, Vec2 at, double aspect, const Vec3& from, const Vec3& to) {
     const auto start = projected(camera, from, aspect);
@@ -154,8 +165,9 @@ std::optional<SurfaceHit> hit(const Solution& solution, const Ray& ray) {
         if (glm::dot(face.normal, ray.direction) >= 0.0) continue;
         const double distance = distance_to_plane(ray, display.vertices[cell.corner[0]].position, face.normal);
         if (distance == never || (nearest && distance >= nearest->distance)) continue;
-        const CellFrame frame = frame_of(solution, cell);
         const Vec3 place = ray.origin + distance * ray.direction;
+        if (!near_cell(display, cell, place)) continue;
+        const CellFrame frame = frame_of(solution, cell);
         const Vec2 flat = frame.flat(place);
         if (!contains(frame, flat)) continue;
         const Vec2 at = glm::clamp(bilinear_coordinates(frame, flat), Vec2(0.0), Vec2(1.0));

@@ -11,7 +11,9 @@ namespace hanei {
 namespace {
 
 constexpr std::array step_digits{1.0, 1.5, 2.0, 3.0, 5.0, 7.5};
-constexpr double widest_range = 200.0;   // high / low: more and desks and floor share one colour
+constexpr double dark_share = 0.04;      // of the area: undersides and gaps that hardly show
+constexpr double bright_share = 0.997;   // desk tops are less than a hundredth of a room's faces, and matter most
+constexpr double widest_range = 100.0;   // high / low: more and desks and floor share one colour
 constexpr double narrowest_range = 5.0;  // less and the mesh's own errors become colours
 constexpr double deepest_step = 1e-4;    // of the range's top: where the steps of a range from 0 begin
 constexpr double step_tolerance = 1e-9;  // relative: 0.1 + 0.2 is still the step 0.3
@@ -122,10 +124,10 @@ LuxRange suggested_range(const Solution& solution) {
     if (solution.display == nullptr || solution.display->cells.empty()) return {};
     std::vector<Sample> samples = cell_samples(solution);
     std::stable_sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.lux < b.lux; });
-    const double bright = percentile(samples, 0.99);
+    const double bright = percentile(samples, bright_share);
     if (!(bright > 0.0) || !std::isfinite(bright)) return {};
     const double high = step_above(bright);
-    const double dark = std::clamp(percentile(samples, 0.01), high / widest_range, high / narrowest_range);
+    const double dark = std::clamp(percentile(samples, dark_share), high / widest_range, high / narrowest_range);
     return {step_below(dark), high};
 }
 

@@ -29,9 +29,9 @@ struct LuxRange {
     double high = 1000.0;
     bool operator==(const LuxRange&) const = default;
 };
-/// Rounded to the EN steps around what the surfaces of the solution show (1st to 99th percentile of
-/// their area); never wider than 1 to 200, so that a black ceiling does not take the colours away
-/// from the desks.
+/// Rounded to the EN steps around what the surfaces of the solution show (all but the darkest 4 %
+/// and the brightest 0.3 % of their area); never wider than about 1 to 100, so that a black ceiling
+/// does not take the colours away from the desks.
 LuxRange suggested_range(const Solution& solution);
 
 struct ViewOptions {
