@@ -14,7 +14,7 @@ namespace {
 constexpr double ns_light_at_a_point = 150.0;  // one contour, unobstructed
 constexpr double ns_shadow_test = 400.0;       // culling among bodies, and cutting what is left
 constexpr double ns_factor = 40.0;             // one receiver and one patch, half of them culled
-constexpr double ns_patch_shadow = 60.0;       // the same, past some bodies
+constexpr double ns_patch_shadow = 20.0;       // the same past bodies, for every doubling of their number
 constexpr double ns_product = 1.0;             // one factor in one reflection
 constexpr double points_a_patch = 4.0;         // Gauss points of the mean direct light
 
