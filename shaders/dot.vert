@@ -20,7 +20,7 @@ void main() {
     if (sizes.y > 0.0) radius = clamp(sizes.y * pixels_per_metre / gl_Position.w, 1.2, radius);
     gl_PointSize = 2.0 * radius + 2.0;
     // Some radii nearer, so that a surface it lies on does not cut it in half, seen flatly either.
-    float metres = 4.0 * radius * gl_Position.w / pixels_per_metre;
+    float metres = 8.0 * radius * gl_Position.w / pixels_per_metre;
     gl_Position = to_clip * vec4(place + metres * normalize(eye.xyz - place * eye.w), 1.0);
     fill = fill_colour;
     ring = ring_colour;

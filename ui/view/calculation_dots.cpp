@@ -7,9 +7,9 @@
 namespace hanei {
 namespace {
 
-constexpr glm::vec4 ring{0.08F, 0.09F, 0.10F, 0.6F};
-constexpr float grid_radius = 3.6F, point_radius = 5.5F;  // pixels
-constexpr double share_of_spacing = 0.13;                 // dots of a grid never touch
+constexpr glm::vec4 ring{0.08F, 0.09F, 0.10F, 0.5F};
+constexpr float grid_radius = 3.2F, point_radius = 5.5F;  // pixels
+constexpr double share_of_spacing = 0.11;                 // dots of a grid never touch
 
 std::optional<double> value_of(const PointValue& value, LightPart part) {
     switch (part) {

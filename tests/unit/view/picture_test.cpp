@@ -142,6 +142,24 @@ TEST_F(Picture, colours_are_those_of_the_scale) {
     }
 }
 
+TEST_F(Picture, shows_no_background_between_cells_whose_corners_do_not_meet) {
+    const auto solution = test::square_with_hanging_corners(50.0F);
+    PictureRequest request = cell_request();
+    request.size = {700, 700};
+    request.camera.orthographic = false;
+    request.camera.field_of_view = 0.7;
+    const glm::vec3 expected = 255.0F * colour_of(50.0, request.options);
+    const std::array<int, 3> even{int(expected.x + 0.5F), int(expected.y + 0.5F), int(expected.z + 0.5F)};
+    for (int k = 0; k < 8; ++k) {  // oblique views, each with other roundings
+        request.camera.eye = {0.7 * std::sin(1.1 * k), 0.7 * std::cos(1.7 * k), 1.1 + 0.05 * k};
+        const Image image = render_picture(solution, request);
+        for (int y = 200; y < 500; ++y) {
+            for (int x = 200; x < 500; ++x)
+                ASSERT_LE(difference(pixel(image, x, y), even), 2) << k << ' ' << x << ' ' << y;
+        }
+    }
+}
+
 TEST_F(Picture, of_a_plateau_on_a_step_is_not_covered_by_a_line) {
     const auto solution = test::single_cell({50.0F, 50.0F, 50.0F, 50.0F});
     PictureRequest request = cell_request();

@@ -195,6 +195,27 @@ std::shared_ptr<const Solution> solution_by_hand(const Scene& scene, const Light
     return solution;
 }
 
+std::shared_ptr<const Solution> square_with_hanging_corners(float lux) {
+    auto solution = std::make_shared<Solution>(*single_cell({lux, lux, lux, lux}));
+    DisplayMesh display;
+    const auto add = [&](Vec2 low, Vec2 high) {
+        const std::uint32_t first = static_cast<std::uint32_t>(display.vertices.size());
+        for (const Vec2 corner : {low, Vec2(high.x, low.y), high, Vec2(low.x, high.y)}) {
+            display.vertices.push_back({Vec3(corner, 0.0), lux, 0.0F, 0.0F});
+        }
+        display.cells.push_back({{first, first + 1, first + 2, first + 3}, 0, 0});
+    };
+    for (int column = 0; column < 7; ++column) {  // sevenths and elevenths never fall on round numbers
+        const double left = -1.0 + 2.0 * column / 7.0, right = -1.0 + 2.0 * (column + 1) / 7.0;
+        const int rows = column % 2 == 0 ? 3 : 11;
+        for (int row = 0; row < rows; ++row) {
+            add({left, -1.0 + 2.0 * row / rows}, {right, -1.0 + 2.0 * (row + 1) / rows});
+        }
+    }
+    solution->display = std::make_shared<const DisplayMesh>(std::move(display));
+    return solution;
+}
+
 std::shared_ptr<const Solution> single_cell(const std::array<float, 4>& lux) {
     Scene scene;
     const ObjectId grey = add_material(scene, "grey", 0.5);

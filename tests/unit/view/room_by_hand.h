@@ -27,4 +27,7 @@ std::shared_ptr<const Solution> solution_by_hand(const Scene& scene, const Light
 /// One square of 2 m lying at z = 0 seen from above, one cell, with these corner values.
 std::shared_ptr<const Solution> single_cell(const std::array<float, 4>& lux);
 
+/// The same square of even light, cut so that corners of its cells lie on edges of others.
+std::shared_ptr<const Solution> square_with_hanging_corners(float lux);
+
 }  // namespace hanei::test
