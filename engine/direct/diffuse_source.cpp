@@ -30,6 +30,15 @@ DiffuseSource::DiffuseSource(std::vector<LuminousFace> faces, bool hide_each_oth
     own_ = OccluderSet(std::move(sheets));
 }
 
+std::vector<Vec3> DiffuseSource::extent() const {
+    std::vector<Vec3> corners;
+    for (const Face& face : faces_) {
+        const Polygon& outline = face.luminous.region.outline;
+        corners.insert(corners.end(), outline.begin(), outline.end());
+    }
+    return corners;
+}
+
 bool DiffuseSource::may_light(const Face& face, const Receiver& receiver) const {
     const Polygon& outline = face.luminous.region.outline;
     const Vec3 away = receiver.position - outline[0];

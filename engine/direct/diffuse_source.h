@@ -23,6 +23,8 @@ public:
     /// `own_body`: ObjectId value whose bodies are the source itself and hide nothing of it.
     double obstructed(const Receiver& receiver, const OccluderSet& occluders, std::uint32_t own_body) const;
 
+    std::vector<Vec3> extent() const;  ///< corners of all faces
+
 private:
     struct Face {
         LuminousFace luminous;

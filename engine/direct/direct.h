@@ -32,6 +32,9 @@ public:
     LuminousFlux flux() const;  ///< at full output
     ObjectId luminaire() const;
 
+    /// Points whose convex hull holds the whole opening.
+    std::span<const Vec3> extent() const;
+
 private:
     struct Parts;
     std::shared_ptr<const Parts> parts_;
@@ -41,8 +44,12 @@ private:
 std::optional<std::vector<double>> direct_illuminance(const Emitter& emitter, std::span<const Receiver> receivers,
                                                       const OccluderSet* occluders, const Work& work);
 
-/// Mean illuminance over every convex polygon (patch): 2 x 2 Gauss points (3 in a triangle), and
-/// four times as many twice over wherever they differ by more than 15 %.
+/// Mean illuminance over every convex polygon (patch). In free light 2 x 2 Gauss points (3 in a
+/// triangle), four times as many once or twice more where they differ by over 5 %; 4 x 4 and up to
+/// 8 x 8 where a body may stand between the patch and the opening.
+///
+/// Holds     1e-4 in free light; on the floor under desks with 5 cm legs, at 0.25 m patches, 0.5 % of
+///           the mean illuminance (RMS) in penumbra, 3.5 % in the hard shadows of point sources.
 struct ReceivingPolygon {
     std::span<const Vec3> outline;
     Vec3 normal;

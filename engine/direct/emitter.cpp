@@ -22,6 +22,7 @@ struct Emitter::Parts {
     ObjectId luminaire;
     LuminousFlux flux;
     std::variant<PointSource, LineSource, DiffuseSource, MeasuredSource> source;
+    std::vector<Vec3> extent;
 };
 
 namespace {
@@ -135,6 +136,13 @@ Made make(const Scene& scene, const Luminaire& luminaire) {
     return point(luminaire);
 }
 
+struct ExtentOf {
+    std::vector<Vec3> operator()(const PointSource& source) const { return {source.position()}; }
+    std::vector<Vec3> operator()(const LineSource& source) const { return {source.from, source.to}; }
+    std::vector<Vec3> operator()(const DiffuseSource& source) const { return source.extent(); }
+    std::vector<Vec3> operator()(const MeasuredSource& source) const { return source.outline(); }
+};
+
 /// What arrives from each kind of source past the occluders (null: none).
 struct Arriving {
     const Receiver& receiver;
@@ -179,7 +187,8 @@ private:
 
 Emitter::Emitter(const Scene& scene, const Luminaire& luminaire) {
     Made made = make(scene, luminaire);
-    parts_ = std::make_shared<const Parts>(Parts{luminaire.id, made.flux, std::move(made.source)});
+    std::vector<Vec3> extent = std::visit(ExtentOf{}, made.source);
+    parts_ = std::make_shared<const Parts>(Parts{luminaire.id, made.flux, std::move(made.source), std::move(extent)});
 }
 
 Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet* occluders) const {
@@ -188,5 +197,6 @@ Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet* oc
 
 LuminousFlux Emitter::flux() const { return parts_->flux; }
 ObjectId Emitter::luminaire() const { return parts_->luminaire; }
+std::span<const Vec3> Emitter::extent() const { return parts_->extent; }
 
 }  // namespace hanei

@@ -23,6 +23,8 @@ public:
         return illuminance(receiver, &occluders, own_body);
     }
 
+    const Polygon& outline() const { return outline_; }
+
 private:
     double illuminance(const Receiver& receiver, const OccluderSet* occluders, std::uint32_t own_body) const;
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/tolerance.h"
 #include "engine/geometry/pyramid.h"
+#include "engine/geometry/shaft.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,6 +78,14 @@ void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::ve
     const Pyramid pyramid(eye, points, same_place_);
     const auto start = static_cast<std::ptrdiff_t>(found.size());
     tree_.visit([&](const Box& box) { return pyramid.may_touch(box); }, [&](BodyIndex body) { found.push_back(body); });
+    std::sort(found.begin() + start, found.end());
+}
+
+void OccluderSet::between(std::span<const Vec3> from, std::span<const Vec3> to, std::vector<BodyIndex>& found) const {
+    if (from.empty() || to.empty() || bodies_.empty()) return;
+    const Shaft shaft(from, to, same_place_);
+    const auto start = static_cast<std::ptrdiff_t>(found.size());
+    tree_.visit([&](const Box& box) { return shaft.may_reach(box); }, [&](BodyIndex body) { found.push_back(body); });
     std::sort(found.begin() + start, found.end());
 }
 

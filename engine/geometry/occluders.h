@@ -39,6 +39,10 @@ public:
     /// `eye`: none is missed, a few too many may be named. Appends to `found`, in ascending order.
     void between(const Vec3& eye, std::span<const Vec3> points, std::vector<BodyIndex>& found) const;
 
+    /// Bodies that may hide something of `to` from some place of `from` (points of convex polygons):
+    /// none is missed. When none is found, everything sees everything. Appends in ascending order.
+    void between(std::span<const Vec3> from, std::span<const Vec3> to, std::vector<BodyIndex>& found) const;
+
     /// True when some body blocks the sight line between two places.
     bool blocks(const Vec3& from, const Vec3& to) const;
     bool blocks(const Vec3& from, const Vec3& to, std::span<const BodyIndex> candidates) const;

@@ -98,5 +98,38 @@ TEST(Occluders, no_body_on_a_sight_line_is_missed_among_thousands) {
     EXPECT_LT(blocked, 990);
 }
 
+TEST(Occluders, what_lies_between_a_patch_and_an_opening_is_never_missed) {
+    Dice dice(8);
+    int clear = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const Vec3 low = dice.place(1.5);
+        const OccluderSet set({box_body(low, low + Vec3{dice.uniform(0.1, 0.8), dice.uniform(0.1, 0.8), 0.3})});
+        const Mat3 turn = dice.rotation();
+        Polygon patch = facing_up(-0.3, -0.2, 0.3, 0.2, 0), opening = facing_up(-0.6, -0.3, 0.6, 0.3, 0);
+        for (Vec3& corner : patch) corner.z -= 1.5;
+        for (Vec3& corner : opening) corner = turn * corner + Vec3{0, 0, 1.5};
+        std::vector<BodyIndex> found;
+        set.between(patch, opening, found);
+        if (!found.empty()) continue;
+        ++clear;
+        for (int j = 0; j < 40; ++j) {
+            const double a = dice.uniform(0, 1), b = dice.uniform(0, 1), c = dice.uniform(0, 1), d = dice.uniform(0, 1);
+            const Vec3 from = patch[0] + a * (patch[1] - patch[0]) + b * (patch[3] - patch[0]);
+            const Vec3 to = opening[0] + c * (opening[1] - opening[0]) + d * (opening[3] - opening[0]);
+            ASSERT_FALSE(set.blocks(from, to));
+        }
+    }
+    EXPECT_GT(clear, 1000);  // and bodies beside the shaft are told apart
+}
+
+TEST(Occluders, a_desk_does_not_stand_between_its_own_top_and_the_ceiling) {
+    const OccluderSet set({box_body({0, 0, 0}, {1, 1, 0.7})});
+    std::vector<BodyIndex> found;
+    set.between(facing_up(0, 0, 0.5, 0.5, 0.7), facing_up(-1, -1, 2, 2, 2.8), found);
+    EXPECT_TRUE(found.empty());
+    set.between(facing_up(-0.5, 0, -0.1, 0.5, 0), facing_up(-1, -1, 2, 2, 2.8), found);
+    EXPECT_EQ(found.size(), 1U);
+}
+
 }  // namespace
 }  // namespace hanei
