@@ -59,8 +59,12 @@ Project read_fields(JsonReading& reading, const JsonValue& root, const std::file
     return project;
 }
 
-/// "luminaires[2]" of "luminaires[2].opening.outline", "room" of "room.plan".
-std::string_view object_path(std::string_view field) { return field.substr(0, field.find('.')); }
+/// "luminaires[2]" of "luminaires[2].opening.outline", "room" of "room.plan"; sub-areas are objects
+/// of their own.
+std::string_view object_path(std::string_view field) {
+    constexpr std::string_view sub_areas = "room.sub_areas[";
+    return field.substr(0, field.find('.', field.starts_with(sub_areas) ? sub_areas.size() : 0));
+}
 
 /// Findings about the scene, each with its line. Objects whose fields could not all be read are
 /// left out: what is said of them would only follow from that.

@@ -27,11 +27,13 @@ void check_grid(SceneChecks& checks, const CalculationGrid& grid, std::size_t in
     checks.check_id(object, grid.id);
     const bool finite = object.finite("corner", grid.corner) && object.finite("along", grid.along) &&
                         object.finite("across", grid.across);
-    if (!object.positive("spacing", grid.spacing) || !finite) return;
+    const bool spaced = object.positive("spacing", grid.spacing);
+    if (!finite) return;
     const Polygon triangle{Vec3{0.0}, grid.along, grid.across};
     if (unit_normal(triangle) == Vec3{0.0})
         return object.error("across",
                             "the grid has no area; its two sides must have a length and different directions");
+    if (!spaced) return;
     const double points = std::max(1.0, std::round(glm::length(grid.along) / grid.spacing)) *
                           std::max(1.0, std::round(glm::length(grid.across) / grid.spacing));
     if (points > most_points)
