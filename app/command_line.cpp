@@ -7,7 +7,6 @@
 #include "app/photometry_command.h"
 
 #include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -41,14 +40,15 @@ private:
         const std::string name(option.name);
         std::string help(option.help);
         if (!option.unit.empty()) help += " (" + std::string(option.unit) + ")";
-        command.add_option_function<T>(
-                   "--" + name,
-                   [this, name, option](const T& shown) {
-                       given_[name] = [option, shown](Settings& settings) {
-                           settings.*option.member = static_cast<T>(shown / static_cast<T>(option.scale));
-                       };
-                   },
-                   help)
+        command
+            .add_option_function<T>(
+                "--" + name,
+                [this, name, option](const T& shown) {
+                    given_[name] = [option, shown](Settings& settings) {
+                        settings.*option.member = static_cast<T>(shown / static_cast<T>(option.scale));
+                    };
+                },
+                help)
             ->check(CLI::Range(option.low, option.high));
     }
 
@@ -80,7 +80,9 @@ std::string check_size(const std::string& text) {
     return "\"" + text + "\" is no size; write WIDTHxHEIGHT in pixels, 16 to 16384 each";
 }
 
-void read_size(const std::string& text, int& width, int& height) { std::sscanf(text.c_str(), "%dx%d", &width, &height); }
+void read_size(const std::string& text, int& width, int& height) {
+    std::sscanf(text.c_str(), "%dx%d", &width, &height);
+}
 
 void add_project(CLI::App& command, std::filesystem::path& into) {
     command.add_option("PROJECT", into, "Project file (.hanei)")->required();
@@ -89,8 +91,10 @@ void add_project(CLI::App& command, std::filesystem::path& into) {
 void add_desktop(CLI::App& app, Arguments& arguments) {
     app.add_option("PROJECT", arguments.desktop.project, "Project file to open; none: the start room");
     app.add_option("--size", arguments.size, "Size of the window in pixels")->check(CLI::Validator(check_size, "WxH"));
-    app.add_option("--script", arguments.desktop.script, "Play this script of clicks, keys and pictures without a window, then end");
-    app.add_option("--state-file", arguments.desktop.state_file, "Keep the window's state here as JSON, for test drivers");
+    app.add_option("--script", arguments.desktop.script,
+                   "Play this script of clicks, keys and pictures without a window, then end");
+    app.add_option("--state-file", arguments.desktop.state_file,
+                   "Keep the window's state here as JSON, for test drivers");
 }
 
 void add_solve(CLI::App& app, Arguments& arguments) {
@@ -107,10 +111,12 @@ void add_render(CLI::App& app, Arguments& arguments) {
     add_project(*command, request.project);
     command->add_option("--out", request.out, "PNG file to write")->required();
     command->add_option("--view", request.view, "A saved view by name or number, \"overview\" or \"plan\"");
-    command->add_option("--size", arguments.render_size, "Size of the picture in pixels")->check(CLI::Validator(check_size, "WxH"));
+    command->add_option("--size", arguments.render_size, "Size of the picture in pixels")
+        ->check(CLI::Validator(check_size, "WxH"));
     command->add_option("--part", request.part, "Which light; four-up: all four side by side")
         ->check(CLI::IsMember({"total", "direct", "interreflected", "unshadowed", "four-up"}));
-    command->add_option("--scale", request.scale, "How it is coloured")->check(CLI::IsMember({"false-colour", "photo"}));
+    command->add_option("--scale", request.scale, "How it is coloured")
+        ->check(CLI::IsMember({"false-colour", "photo"}));
     command->add_option("--steps", request.steps, "Colour scale: logarithmic, linear, or steps of EN 12464-1")
         ->check(CLI::IsMember({"log", "linear", "en"}));
     command->add_option("--low", request.low, "Lower end of the colour scale (lx)")->check(CLI::PositiveNumber);
@@ -140,7 +146,8 @@ void add_check(CLI::App& app, Arguments& arguments) {
 
 void add_validate(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("validate", "Compute reference cases and compare with what is expected");
-    command->add_option("PATH", arguments.validate.paths, "Case files, or folders that are searched downwards")->required();
+    command->add_option("PATH", arguments.validate.paths, "Case files, or folders that are searched downwards")
+        ->required();
     command->add_option("--json", arguments.validate.json, "Write every point here");
     arguments.common.add_to(*command);
 }
@@ -189,7 +196,8 @@ int run(const CLI::App& app, Arguments& arguments) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
-    CLI::App app{"Hanei: lighting design with exact direct light and interreflection, and an error bar on every value", "hanei"};
+    CLI::App app{"Hanei: lighting design with exact direct light and interreflection, and an error bar on every value",
+                 "hanei"};
     app.set_version_flag("--version", "Hanei " HANEI_VERSION);
     app.require_subcommand(0, 1);
     app.footer("Exit codes: 0 done; 1 the answer is no; 2 bad input or usage; 3 the machine failed.");

@@ -1,10 +1,9 @@
 #include "app/files.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace hanei {
 

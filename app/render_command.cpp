@@ -1,7 +1,6 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
-
 #include "engine/study/study.h"
 #include "ui/view/offscreen.h"
 
@@ -20,7 +19,8 @@ std::optional<Camera> camera_for(const RenderRequest& request, const Scene& scen
     if (request.view == "plan") return plan_view(bounds, aspect);
     if (request.view.empty()) return camera_of(scene.views.front());
     for (std::size_t k = 0; k < scene.views.size(); ++k) {
-        if (scene.views[k].name == request.view || std::to_string(k + 1) == request.view) return camera_of(scene.views[k]);
+        if (scene.views[k].name == request.view || std::to_string(k + 1) == request.view)
+            return camera_of(scene.views[k]);
     }
     return std::nullopt;
 }

@@ -1,7 +1,6 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
-
 #include "engine/report/report.h"
 #include "engine/report/report_json.h"
 #include "engine/scene/scene_check.h"

@@ -1,7 +1,6 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
-
 #include "engine/report/sweep_report.h"
 #include "engine/study/study.h"
 

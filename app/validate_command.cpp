@@ -2,17 +2,15 @@
 #include "app/exit_code.h"
 #include "app/files.h"
 #include "app/verdict.h"
-
 #include "engine/geometry/polygon.h"
 #include "engine/project/reference_case.h"
 #include "engine/scene/faces.h"
 #include "engine/study/study.h"
 
-#include <nlohmann/json.hpp>
-
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace hanei {
 
@@ -46,8 +44,8 @@ std::vector<Judged> judged_points(const ReferenceCase& reference, const Solution
     for (std::size_t k = 0; k < reference.points.size(); ++k) {
         const ReferencePoint& point = reference.points[k];
         const PointValue& value = solution.points[k].value;
-        judged.push_back(judge(point.id, point.set, point.expected, value.total().value, point.uncertainty, point.top,
-                               point.pass));
+        judged.push_back(
+            judge(point.id, point.set, point.expected, value.total().value, point.uncertainty, point.top, point.pass));
         judged.back().error_bar = value.error.total();
     }
     for (const ReferenceMean& mean : reference.means) {

@@ -1,9 +1,8 @@
 #include "app/verdict.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <map>
 
 namespace hanei {
@@ -39,10 +38,14 @@ int count_grade(const CaseVerdict& verdict, Grade grade) {
 
 std::string_view name_of(Grade grade) {
     switch (grade) {
-        case Grade::top: return "top";
-        case Grade::pass: return "pass";
-        case Grade::fail: return "fail";
-        case Grade::unsupported: return "unsupported";
+        case Grade::top:
+            return "top";
+        case Grade::pass:
+            return "pass";
+        case Grade::fail:
+            return "fail";
+        case Grade::unsupported:
+            return "unsupported";
     }
     return "";
 }
@@ -77,26 +80,26 @@ Grade CaseVerdict::grade() const {
 }
 
 std::string line_of(const CaseVerdict& verdict) {
-    if (!verdict.unsupported.empty())
-        return fmt::format("{:<28} unsupported: {}\n", verdict.id, verdict.unsupported);
+    if (!verdict.unsupported.empty()) return fmt::format("{:<28} unsupported: {}\n", verdict.id, verdict.unsupported);
     std::vector<double> errors;
     const Judged* worst = nullptr;
     for (const Judged& judged : verdict.judged) {
         errors.push_back(judged.relative_error());
-        if (judged.grade() == Grade::fail && (!worst || judged.relative_error() > worst->relative_error())) worst = &judged;
+        if (judged.grade() == Grade::fail && (!worst || judged.relative_error() > worst->relative_error()))
+            worst = &judged;
     }
     const Spread all = spread_of(errors);
     std::string text = fmt::format("{:<28} {:>4} points  mean {:>8.2e}  worst {:>8.2e}  {:>6} patches {:>7.2f} s  {}\n",
                                    verdict.id, verdict.judged.size(), all.mean, all.worst, verdict.patches,
                                    verdict.seconds, name_of(verdict.grade()));
     if (worst)
-        text += fmt::format("    worst: {}: expected {:.9g}, got {:.9g}, allowed +- {:.2g}\n", worst->id, worst->expected,
-                            worst->got, worst->allowed_pass);
+        text += fmt::format("    worst: {}: expected {:.9g}, got {:.9g}, allowed +- {:.2g}\n", worst->id,
+                            worst->expected, worst->got, worst->allowed_pass);
     for (const auto& [set, set_errors] : errors_by_set(verdict)) {
         if (set.empty()) continue;
         const Spread spread = spread_of(set_errors);
-        text += fmt::format("    {:<12} {:>4} points  mean {:.3f} %  p95 {:.3f} %  max {:.2f} %\n", set, set_errors.size(),
-                            100 * spread.mean, 100 * spread.p95, 100 * spread.worst);
+        text += fmt::format("    {:<12} {:>4} points  mean {:.3f} %  p95 {:.3f} %  max {:.2f} %\n", set,
+                            set_errors.size(), 100 * spread.mean, 100 * spread.p95, 100 * spread.worst);
     }
     return text;
 }
@@ -121,8 +124,8 @@ std::string categories_text(const std::vector<CaseVerdict>& verdicts) {
         count.points_pass += count_grade(verdict, Grade::top) + count_grade(verdict, Grade::pass);
         passed += good;
     }
-    std::string text = fmt::format("\n{:<44} {:>6} {:>6} {:>6} {:>12} {:>9} {:>10} {:>10}\n", "category", "cases", "pass",
-                                   "top", "unsupported", "points", "pass", "top");
+    std::string text = fmt::format("\n{:<44} {:>6} {:>6} {:>6} {:>12} {:>9} {:>10} {:>10}\n", "category", "cases",
+                                   "pass", "top", "unsupported", "points", "pass", "top");
     for (const auto& [category, count] : categories)
         text += fmt::format("{:<44} {:>6} {:>6} {:>6} {:>12} {:>9} {:>10} {:>10}\n", category, count.cases, count.pass,
                             count.top, count.unsupported, count.points, count.points_pass, count.points_top);

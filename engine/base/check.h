@@ -7,5 +7,4 @@ namespace hanei {
 
 }  // namespace hanei
 
-#define HANEI_CHECK(condition) \
-    ((condition) ? void(0) : ::hanei::check_failed(#condition, __FILE__, __LINE__))
+#define HANEI_CHECK(condition) ((condition) ? void(0) : ::hanei::check_failed(#condition, __FILE__, __LINE__))

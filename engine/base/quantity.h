@@ -16,11 +16,16 @@ struct Quantity {
     constexpr Quantity operator*(double factor) const { return {value * factor}; }
     constexpr Quantity operator/(double divisor) const { return {value / divisor}; }
     constexpr double operator/(Quantity other) const { return value / other.value; }
-    constexpr Quantity& operator+=(Quantity other) { value += other.value; return *this; }
+    constexpr Quantity& operator+=(Quantity other) {
+        value += other.value;
+        return *this;
+    }
 };
 
 template <class Kind>
-constexpr Quantity<Kind> operator*(double factor, Quantity<Kind> quantity) { return quantity * factor; }
+constexpr Quantity<Kind> operator*(double factor, Quantity<Kind> quantity) {
+    return quantity * factor;
+}
 
 using Illuminance = Quantity<struct IlluminanceKind>;              ///< lx, arriving
 using LuminousExitance = Quantity<struct LuminousExitanceKind>;    ///< lm/m2, leaving

@@ -46,8 +46,6 @@ bool for_each_tile(std::size_t count, std::size_t tile_size, const Work& work,
     return finished == tiles;
 }
 
-int hardware_threads() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+int hardware_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
 }  // namespace hanei

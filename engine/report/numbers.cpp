@@ -2,10 +2,9 @@
 
 #include "engine/report/report.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace hanei {
 

@@ -2,9 +2,8 @@
 
 #include "engine/report/numbers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace hanei {
 
@@ -12,15 +11,24 @@ namespace {
 
 std::string_view word_for(Stage stage) {
     switch (stage) {
-        case Stage::idle: return "idle";
-        case Stage::planning: return "plan";
-        case Stage::meshing: return "mesh";
-        case Stage::direct: return "direct light";
-        case Stage::factors: return "form factors";
-        case Stage::balance: return "balance";
-        case Stage::gathering: return "values";
-        case Stage::refining: return "display";
-        case Stage::done: return "done";
+        case Stage::idle:
+            return "idle";
+        case Stage::planning:
+            return "plan";
+        case Stage::meshing:
+            return "mesh";
+        case Stage::direct:
+            return "direct light";
+        case Stage::factors:
+            return "form factors";
+        case Stage::balance:
+            return "balance";
+        case Stage::gathering:
+            return "values";
+        case Stage::refining:
+            return "display";
+        case Stage::done:
+            return "done";
     }
     return "";
 }
@@ -44,8 +52,8 @@ std::string point_name(const Scene& scene, ObjectId id) {
 
 std::string grids_text(const Solution& solution) {
     if (solution.grids.empty()) return {};
-    std::string text = fmt::format("{:<24} {:>7} {:>9} {:>9} {:>9} {:>6} {:>12}\n", "grid", "points", "mean lx", "min lx",
-                                   "max lx", "U0", "error <= lx");
+    std::string text = fmt::format("{:<24} {:>7} {:>9} {:>9} {:>9} {:>6} {:>12}\n", "grid", "points", "mean lx",
+                                   "min lx", "max lx", "U0", "error <= lx");
     for (const GridResult& grid : solution.grids) {
         const GridFigures figures = figures_of(grid);
         text += fmt::format("{:<24} {:>7} {:>9.1f} {:>9.1f} {:>9.1f} {:>6.2f} {:>12.2g}\n",
@@ -57,7 +65,8 @@ std::string grids_text(const Solution& solution) {
 
 std::string points_text(const Solution& solution) {
     if (solution.points.empty()) return {};
-    std::string text = fmt::format("{:<24} {:>20} {:>10} {:>16}\n", "point", "illuminance", "direct lx", "interreflected lx");
+    std::string text =
+        fmt::format("{:<24} {:>20} {:>10} {:>16}\n", "point", "illuminance", "direct lx", "interreflected lx");
     for (const PointResult& point : solution.points) {
         const std::string name = cut(point_name(*solution.scene, point.point), 24);
         if (point.value.inside_solid) {
@@ -89,11 +98,12 @@ std::string summary_text(const Solution& solution) {
     text += fmt::format("method {}, {} patches at {} m, {} bounces{}\n", name_of(solution.settings.method),
                         solution.mesh->patches.size(), solution.settings.max_patch, solution.bounces,
                         solution.converged ? "" : " (not converged: see the error bars)");
-    text += fmt::format("iteration known to {:.2g} lx of exitance; typical mesh error {:.2g} lx\n", solution.iteration_bound,
-                        solution.typical_mesh_error);
-    text += fmt::format("flux: {:.1f} lm emitted, {:.1f} lm absorbed, {:.1f} lm not met again ({:.2f} %)\n",
-                        solution.energy.emitted, solution.energy.absorbed, solution.energy.escaped,
-                        solution.energy.emitted > 0.0 ? 100.0 * solution.energy.escaped / solution.energy.emitted : 0.0);
+    text += fmt::format("iteration known to {:.2g} lx of exitance; typical mesh error {:.2g} lx\n",
+                        solution.iteration_bound, solution.typical_mesh_error);
+    text +=
+        fmt::format("flux: {:.1f} lm emitted, {:.1f} lm absorbed, {:.1f} lm not met again ({:.2f} %)\n",
+                    solution.energy.emitted, solution.energy.absorbed, solution.energy.escaped,
+                    solution.energy.emitted > 0.0 ? 100.0 * solution.energy.escaped / solution.energy.emitted : 0.0);
     text += "time: " + times_text(solution) + '\n';
     for (const std::string& note : solution.notes) text += "note: " + note + '\n';
     return text;
@@ -120,7 +130,8 @@ std::string values_csv(const Solution& solution) {
 }
 
 std::string plan_text(const EffectsPlan& plan) {
-    std::string text = fmt::format("{:<26} {:<12} {:>12} {:>12}  {}\n", "effect", "state", "bound lx", "cost ms", "why");
+    std::string text =
+        fmt::format("{:<26} {:<12} {:>12} {:>12}  {}\n", "effect", "state", "bound lx", "cost ms", "why");
     for (const PlannedEffect& effect : plan.effects) {
         const double cost = effect.measured_ms >= 0.0 ? effect.measured_ms : effect.predicted_ms;
         text += fmt::format("{:<26} {:<12} {:>12.3g} {:>11.1f}{}  {}\n", name_of(effect.effect), name_of(effect.state),

@@ -31,8 +31,9 @@ Json to_json(const PointResult& point) {
 
 Json to_json(const GridResult& grid) {
     const GridFigures figures = figures_of(grid);
-    Json json{{"id", grid.grid.value},     {"columns", grid.columns},     {"rows", grid.rows},
-              {"mean_lx", figures.mean},   {"min_lx", figures.min},       {"max_lx", figures.max},
+    Json json{{"id", grid.grid.value},    {"columns", grid.columns},
+              {"rows", grid.rows},        {"mean_lx", figures.mean},
+              {"min_lx", figures.min},    {"max_lx", figures.max},
               {"u0", figures.uniformity}, {"largest_error_lx", figures.largest_error}};
     for (const PointResult& point : grid.points) json["points"].push_back(to_json(point));
     return json;

@@ -1,9 +1,8 @@
 #include "engine/report/sweep_report.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace hanei {
 
@@ -16,7 +15,10 @@ struct Axis {
     double low_decade = 0.0, high_decade = 1.0, from = 0.0, to = 1.0;
 
     Axis(double low, double high, double from_pixel, double to_pixel)
-        : low_decade(std::floor(std::log10(low))), high_decade(std::ceil(std::log10(high))), from(from_pixel), to(to_pixel) {
+        : low_decade(std::floor(std::log10(low))),
+          high_decade(std::ceil(std::log10(high))),
+          from(from_pixel),
+          to(to_pixel) {
         if (high_decade <= low_decade) high_decade = low_decade + 1.0;
     }
     double at(double value) const {
@@ -24,34 +26,39 @@ struct Axis {
     }
 };
 
-std::string decade_text(double value) { return value >= 1.0 ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value); }
+std::string decade_text(double value) {
+    return value >= 1.0 ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value);
+}
 
 std::string grid_lines(const Axis& x, const Axis& y) {
     std::string svg;
     for (double decade = x.low_decade; decade <= x.high_decade; ++decade) {
         const double at = x.at(std::pow(10.0, decade));
-        svg += fmt::format("<line x1='{0:.1f}' y1='{1}' x2='{0:.1f}' y2='{2}' stroke='#d8dce2'/>\n", at, top, height - bottom);
+        svg += fmt::format("<line x1='{0:.1f}' y1='{1}' x2='{0:.1f}' y2='{2}' stroke='#d8dce2'/>\n", at, top,
+                           height - bottom);
         svg += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>{}</text>\n", at, height - bottom + 22,
                            decade_text(std::pow(10.0, decade)));
     }
     for (double decade = y.low_decade; decade <= y.high_decade; ++decade) {
         const double at = y.at(std::pow(10.0, decade));
-        svg += fmt::format("<line x1='{1}' y1='{0:.1f}' x2='{2}' y2='{0:.1f}' stroke='#d8dce2'/>\n", at, left, width - right);
+        svg += fmt::format("<line x1='{1}' y1='{0:.1f}' x2='{2}' y2='{0:.1f}' stroke='#d8dce2'/>\n", at, left,
+                           width - right);
         svg += fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>\n", left - 10, at + 4,
                            decade_text(std::pow(10.0, decade)));
     }
     return svg;
 }
 
-std::string method_line(const std::vector<SweepPoint>& points, Method method, const char* colour, const Axis& x, const Axis& y) {
+std::string method_line(const std::vector<SweepPoint>& points, Method method, const char* colour, const Axis& x,
+                        const Axis& y) {
     std::string path, marks;
     for (const SweepPoint& point : points) {
         if (point.method != method || !(point.mean_error > 0.0)) continue;
         const double at_x = x.at(point.milliseconds), at_y = y.at(100.0 * point.mean_error);
         path += fmt::format("{}{:.1f},{:.1f} ", path.empty() ? "M" : "L", at_x, at_y);
         marks += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='5' fill='{}'/>\n", at_x, at_y, colour);
-        marks += fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='12' fill='{}'>{:g} m</text>\n", at_x + 9, at_y - 8, colour,
-                             point.max_patch);
+        marks += fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='12' fill='{}'>{:g} m</text>\n", at_x + 9, at_y - 8,
+                             colour, point.max_patch);
     }
     return fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='2'/>\n", path, colour) + marks;
 }
@@ -67,8 +74,9 @@ std::string escaped(const std::string& text) {
 std::string sweep_csv(const std::vector<SweepPoint>& points) {
     std::string text = "method,max_patch_m,unknowns,time_ms,mean_error_percent,p95_error_percent,max_error_percent\n";
     for (const SweepPoint& point : points)
-        text += fmt::format("{},{},{},{:.2f},{:.5f},{:.5f},{:.5f}\n", name_of(point.method), point.max_patch, point.unknowns,
-                            point.milliseconds, 100 * point.mean_error, 100 * point.p95_error, 100 * point.max_error);
+        text += fmt::format("{},{},{},{:.2f},{:.5f},{:.5f},{:.5f}\n", name_of(point.method), point.max_patch,
+                            point.unknowns, point.milliseconds, 100 * point.mean_error, 100 * point.p95_error,
+                            100 * point.max_error);
     return text;
 }
 
@@ -90,17 +98,20 @@ std::string sweep_svg(const std::vector<SweepPoint>& points, const std::string& 
         "<rect width='100%' height='100%' fill='white'/>\n",
         width, height);
     svg += fmt::format("<text x='{}' y='32' font-size='18'>{}: accuracy against time</text>\n", left, escaped(title));
-    svg += fmt::format("<text x='{}' y='54' font-size='13' fill='#68707c'>mean error at all calculation points, percent of "
-                       "the mean illuminance, against the finest patch solution</text>\n", left);
+    svg += fmt::format(
+        "<text x='{}' y='54' font-size='13' fill='#68707c'>mean error at all calculation points, percent of "
+        "the mean illuminance, against the finest patch solution</text>\n",
+        left);
     svg += grid_lines(x, y);
-    svg += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>time, ms (cold start)</text>\n", 0.5 * (left + width - right),
-                       height - 20);
+    svg += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>time, ms (cold start)</text>\n",
+                       0.5 * (left + width - right), height - 20);
     svg += fmt::format("<text transform='translate(24 {:.1f}) rotate(-90)' text-anchor='middle'>mean error, %</text>\n",
                        0.5 * (top + height - bottom));
     svg += method_line(points, Method::paper, "#b5523b", x, y) + method_line(points, Method::patch, "#2c6e9e", x, y);
-    svg += fmt::format("<text x='{0}' y='{1}' fill='#b5523b' text-anchor='end'>paper</text>\n"
-                       "<text x='{0}' y='{2}' fill='#2c6e9e' text-anchor='end'>patch</text>\n",
-                       width - right - 12, top + 20, top + 40);
+    svg += fmt::format(
+        "<text x='{0}' y='{1}' fill='#b5523b' text-anchor='end'>paper</text>\n"
+        "<text x='{0}' y='{2}' fill='#2c6e9e' text-anchor='end'>patch</text>\n",
+        width - right - 12, top + 20, top + 40);
     return svg + "</svg>\n";
 }
 

@@ -41,8 +41,8 @@ struct PointResult {
 
 struct GridResult {
     ObjectId grid;
-    int columns = 0, rows = 0;         ///< along, across
-    std::vector<PointResult> points;   ///< row by row
+    int columns = 0, rows = 0;        ///< along, across
+    std::vector<PointResult> points;  ///< row by row
 };
 
 /// Figures of a grid over its points outside solids.
@@ -78,9 +78,9 @@ struct DisplayMesh {
 
 /// Where the flux went, lm.
 struct EnergyBalance {
-    double emitted = 0.0;    ///< luminaires and surfaces that emit by themselves
+    double emitted = 0.0;  ///< luminaires and surfaces that emit by themselves
     double absorbed = 0.0;
-    double escaped = 0.0;    ///< left through openings, or was met by surfaces' backs and luminaires
+    double escaped = 0.0;  ///< left through openings, or was met by surfaces' backs and luminaires
 };
 
 struct StageTime {
@@ -91,7 +91,7 @@ struct StageTime {
 
 /// A finished (or so far computed) answer. Immutable; anyone may keep it.
 struct Solution {
-    SceneSnapshot scene;     ///< the request: stale means that these differ from the present ones
+    SceneSnapshot scene;  ///< the request: stale means that these differ from the present ones
     Settings settings;
     EffectsPlan plan;
 
@@ -115,9 +115,9 @@ struct Solution {
 
     EnergyBalance energy;
     int bounces = 0;
-    bool converged = false;          ///< the iteration reached the accuracy asked for
-    bool complete = false;           ///< false for a result published on the way
-    double iteration_bound = 0.0;    ///< lx, greatest iteration error of any patch
+    bool converged = false;        ///< the iteration reached the accuracy asked for
+    bool complete = false;         ///< false for a result published on the way
+    double iteration_bound = 0.0;  ///< lx, greatest iteration error of any patch
     double greatest_row_sum = 0.0;
     std::vector<StageTime> times;
     std::vector<std::string> notes;  ///< what the user must know ("reflectance 1 in a closed room ...")

@@ -26,8 +26,7 @@ public:
     /// Returns   empty when stopped.
     std::optional<std::vector<double>> sum(const Scene& scene, std::size_t count,
                                            const std::shared_ptr<const void>& receivers,
-                                           const std::shared_ptr<const OccluderSet>& occluders,
-                                           const Compute& compute);
+                                           const std::shared_ptr<const OccluderSet>& occluders, const Compute& compute);
 
     bool reused() const { return reused_; }  ///< the last sum computed no luminaire anew
 

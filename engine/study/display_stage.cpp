@@ -23,7 +23,8 @@ struct Cell {
 
 template <class T>
 T bilinear(const std::array<T, 4>& corner, double u, double v) {
-    return corner[0] * ((1 - u) * (1 - v)) + corner[1] * (u * (1 - v)) + corner[2] * (u * v) + corner[3] * ((1 - u) * v);
+    return corner[0] * ((1 - u) * (1 - v)) + corner[1] * (u * (1 - v)) + corner[2] * (u * v) +
+           corner[3] * ((1 - u) * v);
 }
 
 /// Vertices of one face at equal places are one vertex: cells that share an edge share its light.
@@ -60,8 +61,9 @@ private:
 
 std::uint32_t DisplayBuilder::vertex(const Cell& cell, double u, double v) {
     const Vec3 place = bilinear(cell.corner, u, v);
-    const PlaceKey key{cell.drawn.face,
-                       {std::llround(place.x / grain_), std::llround(place.y / grain_), std::llround(place.z / grain_)}};
+    const PlaceKey key{
+        cell.drawn.face,
+        {std::llround(place.x / grain_), std::llround(place.y / grain_), std::llround(place.z / grain_)}};
     const auto [entry, is_new] = known_.try_emplace(key, static_cast<std::uint32_t>(receivers_.size()));
     if (is_new) {
         made_.display.vertices.push_back({.position = place});
@@ -69,8 +71,8 @@ std::uint32_t DisplayBuilder::vertex(const Cell& cell, double u, double v) {
         // On a border the light is that of the cell's side.
         const Vec3 inward = bilinear(cell.corner, 0.5 * (cell.u0 + cell.u1), 0.5 * (cell.v0 + cell.v1)) - place;
         const double length = glm::length(inward);
-        receivers_.push_back({place, input_.mesh->faces[cell.drawn.face].face.normal,
-                              length > 0.0 ? inward / length : Vec3{0.0}});
+        receivers_.push_back(
+            {place, input_.mesh->faces[cell.drawn.face].face.normal, length > 0.0 ? inward / length : Vec3{0.0}});
     }
     return entry->second;
 }
@@ -209,7 +211,8 @@ std::shared_ptr<const DisplayMesh> dressed(const DirectDisplay& direct, std::spa
             return static_cast<float>(bilinear(corner, source.u, source.v));
         };
         display->vertices[k].interreflected = among(interreflected);
-        if (display->has_unshadowed) display->vertices[k].unshadowed = direct.open_direct[k] + among(open_interreflected);
+        if (display->has_unshadowed)
+            display->vertices[k].unshadowed = direct.open_direct[k] + among(open_interreflected);
     }
     return display;
 }

@@ -21,9 +21,9 @@ public:
 
     /// The newest request wins: what runs is stopped within a tile's time.
     void start(SceneSnapshot scene, const Settings& settings, const StudyRequest& request);
-    void cancel();             ///< ends the running study and forgets the waiting one
-    SolutionSnapshot take();   ///< once a frame; null when there is none new
-    bool busy() const;         ///< something runs or waits
+    void cancel();            ///< ends the running study and forgets the waiting one
+    SolutionSnapshot take();  ///< once a frame; null when there is none new
+    bool busy() const;        ///< something runs or waits
     const Progress& progress() const { return progress_; }
 
     /// What went wrong on the machine (memory) in the last study; empty when nothing did.

@@ -63,9 +63,10 @@ std::optional<std::vector<double>> Level::patch_direct(const LevelInput& input, 
     std::vector<ReceivingPolygon> polygons;
     polygons.reserve(mesh->patches.size());
     for (const Patch& patch : mesh->patches) polygons.push_back({patch.outline, mesh->faces[patch.face].face.normal});
-    auto direct = patch_direct_.sum(*input.scene, polygons.size(), geometry_, input.occluders, [&](const Emitter& emitter) {
-        return mean_direct_illuminance(emitter, polygons, input.occluders.get(), work);
-    });
+    auto direct =
+        patch_direct_.sum(*input.scene, polygons.size(), geometry_, input.occluders, [&](const Emitter& emitter) {
+            return mean_direct_illuminance(emitter, polygons, input.occluders.get(), work);
+        });
     clock.mark_reused(patch_direct_.reused());
     return direct;
 }
@@ -75,11 +76,26 @@ std::optional<std::vector<double>> Level::vertex_direct(const LevelInput& input,
     std::vector<Receiver> receivers;
     receivers.reserve(mesh->vertices.size());
     for (const Vertex& vertex : mesh->vertices) receivers.push_back(vertex.receiver);
-    auto direct = vertex_direct_.sum(*input.scene, receivers.size(), geometry_, input.occluders, [&](const Emitter& emitter) {
-        return direct_illuminance(emitter, receivers, input.occluders.get(), work);
-    });
+    auto direct = vertex_direct_.sum(
+        *input.scene, receivers.size(), geometry_, input.occluders,
+        [&](const Emitter& emitter) { return direct_illuminance(emitter, receivers, input.occluders.get(), work); });
     clock.mark_reused(vertex_direct_.reused());
     return direct;
+}
+
+const Visibility* Level::visibility(const LevelInput& input, const VisibilityKey& key, const Mesh& mesh,
+                                    const Work& work, StageClock& clock) {
+    if (input.settings->method == Method::paper) {
+        const Visibility* visibility = paper_visibility_.get(key, [&]() -> std::optional<Visibility> {
+            return input.patch_occluders ? paper_visibility(mesh, *input.patch_occluders, work) : Visibility{};
+        });
+        clock.mark_reused(paper_visibility_.reused());
+        return visibility;
+    }
+    const Visibility* visibility =
+        patch_visibility_.get({geometry_, geometry_}, mesh, centres_of(mesh), input.patch_occluders, work);
+    clock.mark_reused(patch_visibility_.reused());
+    return visibility;
 }
 
 const Balance* Level::solve_balance(const LevelInput& input, const std::vector<double>& direct, const Work& work,
@@ -96,12 +112,7 @@ const Balance* Level::solve_balance(const LevelInput& input, const std::vector<d
     if (!factors) return nullptr;
 
     const VisibilityKey visibility_key{factor_key, input.patch_occluders};
-    const Visibility* visibility = visibility_.get(visibility_key, [&]() -> std::optional<Visibility> {
-        if (!input.patch_occluders) return Visibility{};
-        return paper ? paper_visibility(*mesh, *input.patch_occluders, work)
-                     : patch_visibility(*mesh, centres_of(*mesh), *input.patch_occluders, work);
-    });
-    clock.mark_reused(visibility_.reused());
+    const Visibility* visibility = this->visibility(input, visibility_key, *mesh, work, clock);
     if (!visibility) return nullptr;
 
     clock.enter(Stage::balance);
@@ -163,11 +174,7 @@ Level::GatherRows Level::rows_to(int slot, const std::shared_ptr<const std::vect
     const DenseRows* factors = gathering.factors.get(key, [&] { return patch_factors(mesh, *receivers, work); });
     clock.mark_reused(gathering.factors.reused());
     if (!factors) return {};
-    const Visibility* visibility =
-        gathering.visibility.get(GatherVisibilityKey{key, occluders}, [&]() -> std::optional<Visibility> {
-            if (!occluders) return Visibility{};
-            return patch_visibility(mesh, *receivers, *occluders, work);
-        });
+    const Visibility* visibility = gathering.visibility.get({geometry_, receivers}, mesh, *receivers, occluders, work);
     clock.mark_reused(gathering.visibility.reused());
     if (!visibility) return {};
     return {factors, visibility};

@@ -5,6 +5,7 @@
 #include "engine/study/direct_stage.h"
 #include "engine/study/stage_cache.h"
 #include "engine/study/stage_clock.h"
+#include "engine/study/visibility_stage.h"
 #include "engine/transport/balance.h"
 #include "engine/transport/factors.h"
 
@@ -15,10 +16,10 @@ namespace hanei {
 /// One resolution's answer, patch by patch. For the paper's method the unknowns are the vertices;
 /// a patch then has the mean of its corners.
 struct LevelAnswer {
-    std::vector<double> direct;               ///< lx, mean over each patch
-    std::vector<double> interreflected;       ///< lx
-    std::vector<double> exitance;             ///< lm/m2
-    std::vector<double> exitance_half_width;  ///< lm/m2
+    std::vector<double> direct;                 ///< lx, mean over each patch
+    std::vector<double> interreflected;         ///< lx
+    std::vector<double> exitance;               ///< lm/m2
+    std::vector<double> exitance_half_width;    ///< lm/m2
     std::vector<double> vertex_direct;          ///< lx; the paper's method only
     std::vector<double> vertex_interreflected;  ///< lx; the paper's method only
     int bounces = 0;
@@ -31,7 +32,7 @@ struct LevelInput {
     const Scene* scene = nullptr;
     const Settings* settings = nullptr;
     const EffectsPlan* plan = nullptr;
-    double max_patch = 0.5;  ///< m
+    double max_patch = 0.5;                              ///< m
     std::shared_ptr<const OccluderSet> occluders;        ///< of direct light; null: nothing casts shadows
     std::shared_ptr<const OccluderSet> patch_occluders;  ///< of light between surfaces; null: nothing stands between
 };
@@ -75,11 +76,6 @@ private:
         std::shared_ptr<const std::vector<Receiver>> receivers;
         bool operator==(const GatherKey&) const = default;
     };
-    struct GatherVisibilityKey {
-        GatherKey factors;
-        std::shared_ptr<const OccluderSet> occluders;
-        bool operator==(const GatherVisibilityKey&) const = default;
-    };
     struct MeshKey {
         Scene surfaces;
         double max_patch = 0.0;
@@ -94,11 +90,13 @@ private:
     };
     struct Gathering {
         StageCache<GatherKey, DenseRows> factors;
-        StageCache<GatherVisibilityKey, Visibility> visibility;
+        VisibilityStage visibility;
     };
 
     std::optional<std::vector<double>> patch_direct(const LevelInput& input, const Work& work, StageClock& clock);
     std::optional<std::vector<double>> vertex_direct(const LevelInput& input, const Work& work, StageClock& clock);
+    const Visibility* visibility(const LevelInput& input, const VisibilityKey& key, const Mesh& mesh, const Work& work,
+                                 StageClock& clock);
     const Balance* solve_balance(const LevelInput& input, const std::vector<double>& direct, const Work& work,
                                  StageClock& clock);
 
@@ -107,7 +105,8 @@ private:
     double geometry_patch_ = 0.0;
     DirectStage patch_direct_, vertex_direct_;
     StageCache<FactorKey, DenseRows> factors_;
-    StageCache<VisibilityKey, Visibility> visibility_;
+    StageCache<VisibilityKey, Visibility> paper_visibility_;
+    VisibilityStage patch_visibility_;
     StageCache<BalanceKey, Balance> balance_;
     Gathering gathering_[2];
 };

@@ -11,7 +11,7 @@ namespace {
 
 /// Interreflected light at one receiver from a mesh's exitances.
 void gathered_at(const Receiver& receiver, const Mesh& mesh, const OccluderSet* occluders,
-                   std::initializer_list<std::pair<std::span<const double>, double*>> wanted) {
+                 std::initializer_list<std::pair<std::span<const double>, double*>> wanted) {
     const std::array<Receiver, 1> receivers{receiver};
     const auto factors = patch_factors(mesh, receivers, Work{});
     std::optional<Visibility> visibility;
@@ -32,13 +32,13 @@ PointValue value_at(const Solution& solution, const Vec3& position, const Vec3& 
     const bool patch_shadows = solution.plan.simulates(Effect::occlusion_patches);
     ValueParts parts;
     for (const WeightedEmitter& weighted : emitters_of(*solution.scene))
-        parts.direct += weighted.share *
-                        weighted.emitter.illuminance(receiver, shadows ? solution.occluders.get() : nullptr).value;
+        parts.direct +=
+            weighted.share * weighted.emitter.illuminance(receiver, shadows ? solution.occluders.get() : nullptr).value;
     const OccluderSet* occluders = patch_shadows ? solution.occluders.get() : nullptr;
     if (!solution.patch_exitance.empty() && solution.plan.simulates(Effect::interreflection)) {
-        gathered_at(receiver, *solution.mesh, occluders,
-                    {{solution.patch_exitance, &parts.interreflected},
-                     {solution.patch_exitance_half_width, &parts.iteration}});
+        gathered_at(
+            receiver, *solution.mesh, occluders,
+            {{solution.patch_exitance, &parts.interreflected}, {solution.patch_exitance_half_width, &parts.iteration}});
         if (solution.coarse_mesh && !solution.coarse_exitance.empty())
             gathered_at(receiver, *solution.coarse_mesh, occluders, {{solution.coarse_exitance, &parts.coarse}});
     }
@@ -51,7 +51,8 @@ double form_factor_between(const Scene& scene, const Region& from, const Region&
     // The corners become places of the scene: what can stand between them is then a shadow caster.
     Scene with_corners = scene;
     for (const Region* region : {&from, &to})
-        for (const Vec3& corner : region->outline) with_corners.points.push_back({with_corners.new_id(), "", corner, {0.0, 0.0, 1.0}, {}});
+        for (const Vec3& corner : region->outline)
+            with_corners.points.push_back({with_corners.new_id(), "", corner, {0.0, 0.0, 1.0}, {}});
     return form_factor(from, to, occluders_of(with_corners));
 }
 

@@ -7,7 +7,8 @@ namespace hanei {
 void StageClock::close() {
     if (stage_ == Stage::idle) return;
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - since_).count();
-    const auto entry = std::find_if(times_.begin(), times_.end(), [&](const StageTime& time) { return time.stage == stage_; });
+    const auto entry =
+        std::find_if(times_.begin(), times_.end(), [&](const StageTime& time) { return time.stage == stage_; });
     if (entry == times_.end()) {
         times_.push_back({stage_, ms, reused_});
     } else {

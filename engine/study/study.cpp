@@ -26,10 +26,9 @@ bool same_receivers(const std::vector<Receiver>& a, const std::vector<Receiver>&
 }
 
 bool same_bodies(const OccluderSet& a, const OccluderSet& b) {
-    return std::equal(a.bodies().begin(), a.bodies().end(), b.bodies().begin(), b.bodies().end(),
-                      [](const ConvexBody& x, const ConvexBody& y) {
-                          return x.vertices == y.vertices && x.faces == y.faces;
-                      });
+    return std::equal(
+        a.bodies().begin(), a.bodies().end(), b.bodies().begin(), b.bodies().end(),
+        [](const ConvexBody& x, const ConvexBody& y) { return x.vertices == y.vertices && x.faces == y.faces; });
 }
 
 /// Keeps the object while its content is the same, so that the stages after it are.
@@ -87,10 +86,15 @@ struct Study::Stages {
 };
 
 LevelInput Study::Stages::Run::fine_input() const {
-    const auto if_simulated = [&](Effect effect) { return solution->plan.simulates(effect) ? solution->occluders : nullptr; };
-    return {scene.get(),        &settings,
-            &solution->plan,    settings.max_patch,
-            if_simulated(Effect::occlusion_direct), if_simulated(Effect::occlusion_patches)};
+    const auto if_simulated = [&](Effect effect) {
+        return solution->plan.simulates(effect) ? solution->occluders : nullptr;
+    };
+    return {scene.get(),
+            &settings,
+            &solution->plan,
+            settings.max_patch,
+            if_simulated(Effect::occlusion_direct),
+            if_simulated(Effect::occlusion_patches)};
 }
 
 void Study::Stages::prepare(Run& run) {
@@ -140,15 +144,16 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
             double squares = 0.0;
             for (std::size_t k = 0; k < points->size(); ++k)
                 squares += std::pow(coarse_values[k] - interreflected[k], 2);
-            solution.typical_mesh_error = points->empty() ? 0.0 : std::sqrt(squares / static_cast<double>(points->size()));
+            solution.typical_mesh_error =
+                points->empty() ? 0.0 : std::sqrt(squares / static_cast<double>(points->size()));
         }
     }
     CalculationPlaces places{std::move(solution.points), std::move(solution.grids)};
     std::size_t k = 0;
     const double skipped = solution.plan.skipped_bound_lux();
     places.for_each([&](PointResult& point) {
-        point.value = value_from({(*direct)[k], interreflected[k], iteration[k], coarse_values[k],
-                                  solution.typical_mesh_error, skipped});
+        point.value = value_from(
+            {(*direct)[k], interreflected[k], iteration[k], coarse_values[k], solution.typical_mesh_error, skipped});
         if (solution.occluders->containing(point.position) >= 0) {
             point.value = PointValue{};
             point.value.inside_solid = true;
@@ -260,8 +265,8 @@ void note_divergence(Solution& solution) {
 
 }  // namespace
 
-SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const StudyRequest& request, const Work& work,
-                            const std::function<void(SolutionSnapshot)>& publish) {
+SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const StudyRequest& request,
+                            const Work& work, const std::function<void(SolutionSnapshot)>& publish) {
     Stages::Run run{std::move(scene), settings, request, work, StageClock(work.progress), nullptr};
     run.work.threads = settings.threads > 0 ? settings.threads : hardware_threads();
     stages_->prepare(run);

@@ -12,9 +12,9 @@ namespace hanei {
 
 /// What is to be computed beyond the values themselves.
 struct StudyRequest {
-    bool display = false;      ///< the display mesh for pictures
-    bool unshadowed = false;   ///< and its part without shadows (the paper's Fig. 4e)
-    bool mesh_error = true;    ///< the mesh part of the error bars (a second, coarser solution)
+    bool display = false;     ///< the display mesh for pictures
+    bool unshadowed = false;  ///< and its part without shadows (the paper's Fig. 4e)
+    bool mesh_error = true;   ///< the mesh part of the error bars (a second, coarser solution)
     bool operator==(const StudyRequest&) const = default;
 };
 
@@ -47,10 +47,10 @@ double form_factor_between(const Scene& scene, const Region& from, const Region&
 /// One run of an accuracy-time sweep.
 struct SweepPoint {
     Method method = Method::patch;
-    double max_patch = 0.0;       ///< m
+    double max_patch = 0.0;  ///< m
     std::size_t unknowns = 0;
     double milliseconds = 0.0;
-    double mean_error = 0.0;      ///< share of the mean illuminance, against the finest run
+    double mean_error = 0.0;  ///< share of the mean illuminance, against the finest run
     double p95_error = 0.0;
     double max_error = 0.0;
 };

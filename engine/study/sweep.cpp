@@ -35,7 +35,8 @@ void set_errors(SweepPoint& point, std::vector<double> values, const std::vector
     double mean = 0.0;
     for (const double lux : reference) mean += lux / static_cast<double>(reference.size());
     std::vector<double> errors;
-    for (std::size_t k = 0; k < values.size(); ++k) errors.push_back(mean > 0.0 ? std::abs(values[k] - reference[k]) / mean : 0.0);
+    for (std::size_t k = 0; k < values.size(); ++k)
+        errors.push_back(mean > 0.0 ? std::abs(values[k] - reference[k]) / mean : 0.0);
     if (errors.empty()) return;
     std::sort(errors.begin(), errors.end());
     for (const double error : errors) point.mean_error += error / static_cast<double>(errors.size());

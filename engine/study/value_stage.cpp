@@ -65,7 +65,8 @@ std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const LevelAnswer&
 
 EnergyBalance energy_of(const Scene& scene, const Mesh& mesh, const LevelAnswer& answer) {
     EnergyBalance energy;
-    for (const WeightedEmitter& weighted : emitters_of(scene)) energy.emitted += weighted.share * weighted.emitter.flux().value;
+    for (const WeightedEmitter& weighted : emitters_of(scene))
+        energy.emitted += weighted.share * weighted.emitter.flux().value;
     const PerPatch<double> reflectance = reflectances(mesh, scene);
     for (std::size_t p = 0; p < mesh.patches.size(); ++p) {
         const Patch& patch = mesh.patches[p];

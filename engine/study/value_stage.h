@@ -30,8 +30,8 @@ std::vector<Receiver> receivers_at(CalculationPlaces& places, const Mesh& mesh);
 struct ValueParts {
     double direct = 0.0;
     double interreflected = 0.0;
-    double iteration = 0.0;         ///< gathered from the exitances' half widths
-    double coarse = -1.0;           ///< the coarser solution's interreflected value; negative: not computed
+    double iteration = 0.0;  ///< gathered from the exitances' half widths
+    double coarse = -1.0;    ///< the coarser solution's interreflected value; negative: not computed
     double typical_mesh_error = 0.0;
     double skipped = 0.0;
 };

@@ -31,6 +31,15 @@ struct Visibility {
 std::optional<Visibility> patch_visibility(const Mesh& mesh, std::span<const Receiver> receivers,
                                            const OccluderSet& occluders, const Work& work);
 
+/// The same after bodies came, went or moved: `before` holds but where one of them, as it was or as
+/// it is, can stand between a receiver and a face; only there it is worked out anew.
+/// Needs     `before` of the same mesh and receivers; `gone` and `come`: the bodies that are in one
+///           of the two sets of occluders only.
+/// Returns   the same bits as patch_visibility; empty when stopped.
+std::optional<Visibility> updated_visibility(Visibility before, const Mesh& mesh, std::span<const Receiver> receivers,
+                                             const OccluderSet& gone, const OccluderSet& come,
+                                             const OccluderSet& occluders, const Work& work);
+
 /// The paper's equation 4 between grid points: cos cos / (pi r^2) times w_j A_j; grows without
 /// bound as points approach (METHOD, slips): faithful, not mended.
 std::optional<DenseRows> paper_factors(const Mesh& mesh, const Work& work);

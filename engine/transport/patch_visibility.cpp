@@ -27,23 +27,43 @@ public:
     RowWriter(const Mesh& mesh, const OccluderSet& occluders)
         : mesh_(mesh), occluders_(occluders), cast_(mesh, occluders) {}
 
+    /// Needs     a row of ones.
     void write(std::span<const FaceLayout> layouts, const Receiver& receiver, float* row) {
+        cast_.start(receiver);
+        for (const FaceLayout& layout : layouts) {
+            const FaceSeen seen = seen_from(layout, receiver);
+            if (seen != FaceSeen::hidden) write_face(layout, seen, receiver, row);
+        }
+    }
+
+    /// Only the faces that one of the changed bodies may hide, or may have hidden, part of.
+    void rewrite(std::span<const FaceLayout> layouts, const Receiver& receiver, const OccluderSet& gone,
+                 const OccluderSet& come, float* row) {
         cast_.start(receiver);
         for (const FaceLayout& layout : layouts) {
             const FaceSeen seen = seen_from(layout, receiver);
             if (seen == FaceSeen::hidden) continue;
             bodies_.clear();
-            occluders_.between(receiver.position, layout.corners, bodies_);
+            gone.between(receiver.position, layout.corners, bodies_);
+            come.between(receiver.position, layout.corners, bodies_);
             if (bodies_.empty()) continue;
-            if (seen == FaceSeen::touching) {
-                write_limits(*layout.face, receiver, row);
-            } else {
-                cast_.write(layout, bodies_, row);
-            }
+            std::fill_n(row + layout.face->first_patch, layout.face->patch_count, 1.0F);
+            write_face(layout, seen, receiver, row);
         }
     }
 
 private:
+    void write_face(const FaceLayout& layout, FaceSeen seen, const Receiver& receiver, float* row) {
+        bodies_.clear();
+        occluders_.between(receiver.position, layout.corners, bodies_);
+        if (bodies_.empty()) return;
+        if (seen == FaceSeen::touching) {
+            write_limits(*layout.face, receiver, row);
+        } else {
+            cast_.write(layout, bodies_, row);
+        }
+    }
+
     void write_limits(const MeshFace& face, const Receiver& receiver, float* row) const {
         for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
             row[p] = limit_share(mesh_.patches[p], receiver, occluders_, bodies_);
@@ -56,26 +76,44 @@ private:
     std::vector<BodyIndex> bodies_;
 };
 
-}  // namespace
-
-std::optional<Visibility> patch_visibility(const Mesh& mesh, std::span<const Receiver> receivers,
-                                           const OccluderSet& occluders, const Work& work) {
-    Visibility visibility;
-    if (occluders.empty()) return visibility;
+/// Runs `write(writer, layouts, receiver number, row)` for every receiver and drops rows of ones.
+template <class Write>
+std::optional<Visibility> with_rows(Visibility visibility, const Mesh& mesh, std::size_t receivers,
+                                    const OccluderSet& occluders, const Work& work, Write&& write) {
     DenseRows& share = visibility.share;
-    share = {receivers.size(), mesh.patches.size(), {}};
-    share.values.assign(share.rows * share.columns, 1.0F);
+    if (visibility.all_visible) {
+        share = {receivers, mesh.patches.size(), {}};
+        share.values.assign(share.rows * share.columns, 1.0F);
+    }
     const std::vector<FaceLayout> layouts = layouts_of(mesh);
-    const bool finished = for_each_tile(receivers.size(), rows_a_tile, work, [&](std::size_t begin, std::size_t end) {
+    const bool finished = for_each_tile(receivers, rows_a_tile, work, [&](std::size_t begin, std::size_t end) {
         RowWriter writer(mesh, occluders);
-        for (std::size_t k = begin; k < end; ++k) {
-            writer.write(layouts, receivers[k], share.values.data() + k * share.columns);
-        }
+        for (std::size_t k = begin; k < end; ++k) write(writer, layouts, k, share.values.data() + k * share.columns);
     });
     if (!finished) return std::nullopt;
     visibility.all_visible = std::all_of(share.values.begin(), share.values.end(), [](float s) { return s == 1.0F; });
     if (visibility.all_visible) share = {};
     return visibility;
+}
+
+}  // namespace
+
+std::optional<Visibility> patch_visibility(const Mesh& mesh, std::span<const Receiver> receivers,
+                                           const OccluderSet& occluders, const Work& work) {
+    if (occluders.empty()) return Visibility{};
+    return with_rows(Visibility{}, mesh, receivers.size(), occluders, work,
+                     [&](RowWriter& writer, std::span<const FaceLayout> layouts, std::size_t k, float* row) {
+                         writer.write(layouts, receivers[k], row);
+                     });
+}
+
+std::optional<Visibility> updated_visibility(Visibility before, const Mesh& mesh, std::span<const Receiver> receivers,
+                                             const OccluderSet& gone, const OccluderSet& come,
+                                             const OccluderSet& occluders, const Work& work) {
+    return with_rows(std::move(before), mesh, receivers.size(), occluders, work,
+                     [&](RowWriter& writer, std::span<const FaceLayout> layouts, std::size_t k, float* row) {
+                         writer.rewrite(layouts, receivers[k], gone, come, row);
+                     });
 }
 
 }  // namespace hanei

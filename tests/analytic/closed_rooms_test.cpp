@@ -1,11 +1,9 @@
 /// Rooms whose answer is known on paper, through the same door as every other room.
 #include "engine/study/study.h"
-
 #include "tests/box_room.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 namespace hanei {
@@ -56,7 +54,8 @@ TEST(ClosedRoom, furniture_changes_nothing_in_a_furnace) {
         scene.points.push_back(test::point(scene, place));
     const auto solution = solve(scene, 0.5);
     for (const PointResult& point : solution->points)
-        EXPECT_NEAR(point.value.total().value, 200.0, 200.0 * 1e-4);  // of visible shares kept as floats, many of them partial
+        EXPECT_NEAR(point.value.total().value, 200.0,
+                    200.0 * 1e-4);  // of visible shares kept as floats, many of them partial
 }
 
 TEST(ClosedRoom, the_mean_illuminance_is_the_flux_over_what_is_absorbed) {

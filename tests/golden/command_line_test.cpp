@@ -3,10 +3,9 @@
 
 #include "app/exit_code.h"
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -52,7 +51,9 @@ TEST_F(CommandLine, every_command_has_help) {
 
 TEST_F(CommandLine, solve_prints_the_lux_table_and_writes_csv_and_json) {
     const auto csv = scratch("values.csv"), json = scratch("values.json");
-    ASSERT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--csv", csv, "--json", json}), exit_done) << err_;
+    ASSERT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--csv", csv, "--json", json}),
+              exit_done)
+        << err_;
     EXPECT_NE(out_.find("mean lx"), std::string::npos);
     EXPECT_EQ(content(csv).rfind("kind,name,x_m", 0), 0u);
     EXPECT_NE(content(json).find("\"total_lx\""), std::string::npos);
@@ -60,8 +61,11 @@ TEST_F(CommandLine, solve_prints_the_lux_table_and_writes_csv_and_json) {
 
 TEST_F(CommandLine, solve_gives_the_same_values_on_one_thread_and_on_three) {
     const auto one = scratch("one.csv"), three = scratch("three.csv");
-    ASSERT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--threads", "1", "--csv", one}), exit_done);
-    ASSERT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--threads", "3", "--csv", three}), exit_done);
+    ASSERT_EQ(run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--threads", "1", "--csv", one}),
+              exit_done);
+    ASSERT_EQ(
+        run({"solve", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--threads", "3", "--csv", three}),
+        exit_done);
     EXPECT_EQ(content(one), content(three));
 }
 
@@ -77,7 +81,8 @@ TEST_F(CommandLine, an_option_out_of_range_is_bad_input) {
 }
 
 TEST_F(CommandLine, an_unknown_view_is_named_with_the_views_there_are) {
-    EXPECT_EQ(run({"render", rooms + "computer-room-panels.hanei", "--out", scratch("x.png"), "--view", "attic"}), exit_bad_input);
+    EXPECT_EQ(run({"render", rooms + "computer-room-panels.hanei", "--out", scratch("x.png"), "--view", "attic"}),
+              exit_bad_input);
     EXPECT_NE(err_.find("attic"), std::string::npos);
     EXPECT_NE(err_.find("overview"), std::string::npos);
 }
@@ -85,14 +90,18 @@ TEST_F(CommandLine, an_unknown_view_is_named_with_the_views_there_are) {
 TEST_F(CommandLine, render_draws_the_same_picture_twice) {
     const auto first = scratch("first.png"), second = scratch("second.png");
     for (const auto& file : {first, second})
-        ASSERT_EQ(run({"render", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--size", "480x300", "--out", file}), exit_done) << err_;
+        ASSERT_EQ(run({"render", rooms + "computer-room-panels.hanei", "--max-patch", "1", "--size", "480x300", "--out",
+                       file}),
+                  exit_done)
+            << err_;
     EXPECT_GT(content(first).size(), 10'000u);
     EXPECT_EQ(content(first), content(second));
 }
 
 TEST_F(CommandLine, plan_says_why_for_every_effect) {
     ASSERT_EQ(run({"plan", rooms + "computer-room-panels.hanei"}), exit_done) << err_;
-    for (const char* word : {"interreflection", "penumbra", "bounces", "simulated"}) EXPECT_NE(out_.find(word), std::string::npos) << word;
+    for (const char* word : {"interreflection", "penumbra", "bounces", "simulated"})
+        EXPECT_NE(out_.find(word), std::string::npos) << word;
 }
 
 TEST_F(CommandLine, every_start_room_passes_its_check) {
@@ -102,7 +111,8 @@ TEST_F(CommandLine, every_start_room_passes_its_check) {
 
 TEST_F(CommandLine, study_writes_table_and_plot) {
     const auto folder = scratch("sweep");
-    ASSERT_EQ(run({"study", rooms + "computer-room-panels.hanei", "--max-patch", "2", "--out", folder}), exit_done) << err_;
+    ASSERT_EQ(run({"study", rooms + "computer-room-panels.hanei", "--max-patch", "2", "--out", folder}), exit_done)
+        << err_;
     EXPECT_NE(content(folder / "accuracy-time.csv").find("\npaper,"), std::string::npos);
     EXPECT_NE(content(folder / "accuracy-time.svg").find("</svg>"), std::string::npos);
 }
@@ -137,7 +147,8 @@ TEST_F(CommandLine, direct_light_and_furnaces_of_the_shared_reference_pass) {
         const std::string name = entry.path().filename().string();
         const bool wanted = name.size() > 3 && (std::string("ABCDEF").find(name[2]) != std::string::npos ||
                                                 name.rfind("P-G1", 0) == 0 || name.rfind("P-G2", 0) == 0);
-        if (wanted && name.rfind("P-G10", 0) != 0) EXPECT_EQ(run({"validate", entry.path()}), exit_done) << out_ << err_;
+        if (wanted && name.rfind("P-G10", 0) != 0)
+            EXPECT_EQ(run({"validate", entry.path()}), exit_done) << out_ << err_;
     }
 }
 

@@ -1,5 +1,6 @@
-#include "engine/report/numbers.h"
 #include "engine/report/report.h"
+
+#include "engine/report/numbers.h"
 #include "engine/report/report_json.h"
 #include "engine/report/sweep_report.h"
 
@@ -41,7 +42,9 @@ TEST(Report, a_field_with_a_comma_is_quoted) {
 
 TEST(Report, csv_holds_every_value_with_its_error_bar) {
     const std::string csv = values_csv(one_point_solution());
-    EXPECT_NE(csv.find("point,\"desk, left\",1,2,0.75,0,0,1,412.75,300.25,112.5,2.75,0.25,2.5,0,0\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find("point,\"desk, left\",1,2,0.75,0,0,1,412.75,300.25,112.5,2.75,0.25,2.5,0,0\n"),
+              std::string::npos)
+        << csv;
 }
 
 TEST(Report, json_holds_the_same_figures) {
@@ -52,7 +55,8 @@ TEST(Report, json_holds_the_same_figures) {
 }
 
 TEST(Report, a_sweep_is_one_line_a_run) {
-    const std::vector<SweepPoint> points{{Method::paper, 0.5, 100, 12.0, 0.1, 0.2, 0.3}, {Method::patch, 0.5, 90, 14.0, 0.01, 0.02, 0.03}};
+    const std::vector<SweepPoint> points{{Method::paper, 0.5, 100, 12.0, 0.1, 0.2, 0.3},
+                                         {Method::patch, 0.5, 90, 14.0, 0.01, 0.02, 0.03}};
     const std::string csv = sweep_csv(points);
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
     EXPECT_NE(sweep_svg(points, "a < b").find("a &lt; b"), std::string::npos);

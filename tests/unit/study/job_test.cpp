@@ -2,9 +2,8 @@
 
 #include "tests/box_room.h"
 
-#include <gtest/gtest.h>
-
 #include <chrono>
+#include <gtest/gtest.h>
 
 namespace hanei {
 namespace {

@@ -2,9 +2,8 @@
 
 #include "tests/box_room.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 
 namespace hanei {
 namespace {
@@ -51,12 +50,16 @@ protected:
 
 TEST_F(Invalidation, nothing_changed_reuses_every_stage) {
     run([](Scene&) {});
-    for (const Stage stage : {Stage::direct, Stage::factors, Stage::balance, Stage::gathering}) EXPECT_TRUE(reused(stage));
+    for (const Stage stage : {Stage::direct, Stage::factors, Stage::balance, Stage::gathering})
+        EXPECT_TRUE(reused(stage));
 }
 
 TEST_F(Invalidation, a_new_view_reuses_every_stage) {
-    run([](Scene& scene) { scene.views.push_back({scene.new_id(), "new", {1.0, 1.0, 1.0}, {2.0, 2.0, 1.0}, 0.9, false, {}}); });
-    for (const Stage stage : {Stage::direct, Stage::factors, Stage::balance, Stage::gathering}) EXPECT_TRUE(reused(stage));
+    run([](Scene& scene) {
+        scene.views.push_back({scene.new_id(), "new", {1.0, 1.0, 1.0}, {2.0, 2.0, 1.0}, 0.9, false, {}});
+    });
+    for (const Stage stage : {Stage::direct, Stage::factors, Stage::balance, Stage::gathering})
+        EXPECT_TRUE(reused(stage));
 }
 
 TEST_F(Invalidation, a_moved_calculation_point_leaves_the_balance_alone) {
@@ -103,6 +106,25 @@ TEST_F(Invalidation, a_moved_luminaire_leaves_form_factors_alone) {
     EXPECT_FALSE(reused(Stage::balance));
 }
 
+TEST_F(Invalidation, a_moved_opaque_luminaire_shadows_where_it_hangs_now) {
+    const auto hang_opaque = [](Scene& scene) {
+        for (Luminaire& luminaire : scene.luminaires) {
+            luminaire.opaque = true;
+            luminaire.position.z = 2.5;
+        }
+    };
+    Scene scene = test::small_office();
+    hang_opaque(scene);
+    Study study;
+    study.run(snapshot(scene), coarse_settings(), StudyRequest{}, Work{});
+    for (const double x : {1.2, 2.6, 4.0}) {
+        scene.luminaires.front().position.x = x;
+        const auto kept = study.run(snapshot(scene), coarse_settings(), StudyRequest{}, Work{});
+        EXPECT_EQ(values_of(*kept),
+                  values_of(*Study().run(snapshot(scene), coarse_settings(), StudyRequest{}, Work{})));
+    }
+}
+
 TEST_F(Invalidation, moved_furniture_redoes_form_factors_and_direct_light) {
     run([](Scene& scene) { scene.furniture.front().position.x += 0.5; });
     for (const Stage stage : {Stage::direct, Stage::factors, Stage::balance}) EXPECT_FALSE(reused(stage));
@@ -110,7 +132,8 @@ TEST_F(Invalidation, moved_furniture_redoes_form_factors_and_direct_light) {
 
 TEST_F(Invalidation, another_room_shape_redoes_everything) {
     run([](Scene& scene) { scene.room->height = 3.1; });
-    for (const Stage stage : {Stage::direct, Stage::factors, Stage::balance, Stage::gathering}) EXPECT_FALSE(reused(stage));
+    for (const Stage stage : {Stage::direct, Stage::factors, Stage::balance, Stage::gathering})
+        EXPECT_FALSE(reused(stage));
 }
 
 TEST(Study, the_same_bits_on_one_thread_on_two_and_on_seven) {
@@ -121,7 +144,8 @@ TEST(Study, the_same_bits_on_one_thread_on_two_and_on_seven) {
             settings.method = method;
             settings.bounces = method == Method::paper ? 4 : 1000;
             settings.threads = threads;
-            results.push_back(values_of(*Study().run(snapshot(test::small_office()), settings, StudyRequest{}, Work{})));
+            results.push_back(
+                values_of(*Study().run(snapshot(test::small_office()), settings, StudyRequest{}, Work{})));
         }
         EXPECT_EQ(results[0], results[1]);
         EXPECT_EQ(results[0], results[2]);
@@ -142,14 +166,15 @@ TEST(Study, dimming_every_luminaire_to_half_halves_every_value) {
 TEST(Study, a_stopped_study_gives_nothing) {
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_EQ(Study().run(snapshot(test::small_office()), coarse_settings(), StudyRequest{}, Work{.stop = stop.get_token()}),
-              nullptr);
+    EXPECT_EQ(
+        Study().run(snapshot(test::small_office()), coarse_settings(), StudyRequest{}, Work{.stop = stop.get_token()}),
+        nullptr);
 }
 
 TEST(Study, direct_light_is_published_before_the_full_answer) {
     std::vector<SolutionSnapshot> published;
-    const auto full = Study().run(snapshot(test::small_office()), coarse_settings(), StudyRequest{.display = true}, Work{},
-                                  [&](SolutionSnapshot part) { published.push_back(std::move(part)); });
+    const auto full = Study().run(snapshot(test::small_office()), coarse_settings(), StudyRequest{.display = true},
+                                  Work{}, [&](SolutionSnapshot part) { published.push_back(std::move(part)); });
     ASSERT_FALSE(published.empty());
     EXPECT_FALSE(published.front()->complete);
     EXPECT_TRUE(full->complete);
