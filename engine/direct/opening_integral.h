@@ -18,8 +18,8 @@ namespace hanei {
 ///
 /// Holds     about 1e-3 of the value: the differences overstate the error, but tables are bent at
 ///           every angle, so that it is an estimate and no bound. Measured on a 1.2 m x 0.6 m panel,
-///           against fine sums: median below 1e-4, worst 2e-3 where more than a thousandth of the
-///           peak arrives.
+///           cosine to cos^100, against fine sums: at most 1e-3 of the greatest illuminance (1e-4 in
+///           the mean), 3e-3 of the value where it is a thousandth of that, 2e-2 in fainter flanks.
 /// Weak when the receiver touches the opening: cutting stops after 10 levels.
 /// Cost      2 us for a cosine distribution two metres off, 100 us in a narrow beam.
 class OpeningIntegral {
