@@ -2,6 +2,7 @@
 
 #include "engine/base/check.h"
 
+#include <algorithm>
 #include <array>
 
 namespace hanei {
@@ -141,11 +142,9 @@ constexpr std::array table{
 std::span<const Command> commands() { return table; }
 
 const Command& command(CommandId id) {
-    for (const Command& entry : table) {
-        if (entry.id == id) return entry;
-    }
-    HANEI_CHECK(!"a command without an entry in the table");
-    return table.front();
+    const auto found = std::find_if(table.begin(), table.end(), [&](const Command& entry) { return entry.id == id; });
+    HANEI_CHECK(found != table.end());
+    return *found;
 }
 
 const Command* command_for(const Chord& chord) {

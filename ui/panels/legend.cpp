@@ -87,6 +87,8 @@ void legend(ViewState& state, const ScreenRect& view, WidgetRegistry& widgets) {
     ImGui::SetCursorScreenPos({left, card_high.y - field - 7.0F * scale});
     bound_field("##low", range.low, 0.1, range.high / 1.01, widgets,
                 "Least value of the scale: drag, or click and type");
+    ImGui::SetCursorScreenPos(card_low);
+    ImGui::InvisibleButton("card", {card_high.x - card_low.x, card_high.y - card_low.y});  // the view ends here
     ImGui::SetCursorScreenPos(keep);
     const ImVec2 bar_low{left + 2.0F * scale, card_low.y + title + field + 18.0F * scale};
     const ImVec2 bar_high{bar_low.x + bar_width * scale, card_high.y - field - 18.0F * scale};

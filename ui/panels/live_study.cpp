@@ -2,6 +2,8 @@
 
 #include "engine/scene/scene_check.h"
 
+#include <algorithm>
+
 namespace hanei {
 namespace {
 
@@ -21,6 +23,8 @@ bool LiveStudy::fresh() const {
     return solution_->scene == final_scene_ && answers(*solution_);
 }
 
+const Diagnostic* LiveStudy::fault() const { return has_errors(findings_) ? &findings_.front() : nullptr; }
+
 void LiveStudy::take() {
     SolutionSnapshot taken = job_.take();
     if (!taken) return;
@@ -34,14 +38,10 @@ void LiveStudy::start() {
     pending_ = false;
     started_ = true;
     started_at_ = Clock::now();
-    faults_.clear();
-    for (const Diagnostic& finding : check_scene(*wish_.scene)) {
-        if (finding.severity == Severity::error) faults_.push_back(finding);
-    }
-    if (!faults_.empty()) {
-        job_.cancel();
-        return;
-    }
+    findings_ = check_scene(*wish_.scene);
+    std::stable_sort(findings_.begin(), findings_.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.severity > b.severity; });
+    if (fault() != nullptr) return job_.cancel();
     if (!wish_.in_gesture) final_scene_ = wish_.scene;
     job_.start(wish_.scene, wish_.settings,
                {.display = true, .unshadowed = wish_.unshadowed, .mesh_error = !wish_.in_gesture});

@@ -31,9 +31,10 @@ public:
     const SolutionSnapshot& solution() const { return solution_; }  ///< null before the first
     bool fresh() const;  ///< the solution is complete and answers the present wish
     bool busy() const { return pending_ || job_.busy(); }
-    bool settled() const { return fresh() || (!pending_ && !faults_.empty()); }  ///< nothing more will come
+    bool settled() const { return fresh() || (!pending_ && fault() != nullptr); }  ///< nothing more will come
     const Progress& progress() const { return job_.progress(); }
-    const Diagnostics& faults() const { return faults_; }  ///< errors that keep the scene from being solved
+    const Diagnostics& findings() const { return findings_; }  ///< of the scene started last, errors first
+    const Diagnostic* fault() const;  ///< the first error that keeps the scene from being solved; null when none
 
     /// Seconds from the last change of the wish to its complete answer; negative while unknown.
     double answer_seconds() const { return answer_seconds_; }
@@ -50,7 +51,7 @@ private:
     bool started_ = false;
     Clock::time_point started_at_, wished_at_;
     SolutionSnapshot solution_;
-    Diagnostics faults_;
+    Diagnostics findings_;
     SceneSnapshot final_scene_;  ///< last one started outside a gesture: its answer has error bars
     double answer_seconds_ = -1.0;
 };

@@ -52,6 +52,8 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     state["part"] =
         workbench.viewport().state.four_up ? "four" : std::string(name_of(workbench.viewport().state.options.part));
     state["scale"] = std::string(name_of(workbench.viewport().state.options.scale));
+    state["range.low"] = fmt::format("{}", workbench.viewport().state.options.range.low);
+    state["range.high"] = fmt::format("{}", workbench.viewport().state.options.range.high);
     state["probe"] = workbench.viewport().probe() ? workbench.viewport().probe()->text() : "";
     state["luminaires"] = std::to_string(scene.luminaires.size());
     state["furniture"] = std::to_string(scene.furniture.size());
@@ -65,6 +67,9 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     const Solution& solution = *study.solution();
     state["converged"] = truth(solution.converged);
     state["bounces"] = std::to_string(solution.bounces);
+    for (const StageTime& stage : solution.times) {
+        state["ms " + std::string(name_of(stage.stage))] = stage.reused ? "reused" : fmt::format("{:.1f}", stage.ms);
+    }
     for (const GridResult& grid : solution.grids) {
         const GridFigures figures = figures_of(grid);
         const std::string name = "grid " + display_name(*solution.scene, grid.grid);

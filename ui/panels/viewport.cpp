@@ -31,16 +31,16 @@ Vec2 Viewport::Pane::within(ImVec2 at) const {
     return {static_cast<double>((at.x - left) / width), static_cast<double>((at.y - top) / height)};
 }
 
-Camera Viewport::beside_margin(const Bounds& bounds, Camera (*preset)(const Bounds&, double)) const {
-    const bool covered =
-        !state.four_up && state.options.scale == Scale::false_colour && pane_.width > 2.0F * right_margin;
-    if (!covered) return preset(bounds, aspect());
-    const double share = static_cast<double>(right_margin / pane_.height);  // in picture heights
-    return panned(preset(bounds, aspect() - share), {-0.5 * share, 0.0}, aspect());
+void Viewport::show(const Scene& scene, Preset preset) {
+    const bool covered = !state.four_up && pane_.width > 2.0F * right_margin;
+    const double share = covered ? static_cast<double>(right_margin / pane_.height) : 0.0;  // in picture heights
+    state.camera = panned(preset(bounds_of(scene), aspect() - share), {-0.5 * share, 0.0}, aspect());
+    preset_ = preset;
+    preset_camera_ = state.camera;
 }
 
-void Viewport::show_overview(const Scene& scene) { state.camera = beside_margin(bounds_of(scene), overview); }
-void Viewport::show_plan(const Scene& scene) { state.camera = beside_margin(bounds_of(scene), plan_view); }
+void Viewport::show_overview(const Scene& scene) { show(scene, overview); }
+void Viewport::show_plan(const Scene& scene) { show(scene, plan_view); }
 
 void Viewport::look_at(const Vec3& place) {
     state.camera.eye += place - state.camera.target;
@@ -83,7 +83,7 @@ void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
 Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, WidgetRegistry& widgets) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float kept_clear = state.four_up && state.options.scale == Scale::false_colour ? right_margin : 0.0F;
+    const float kept_clear = state.four_up ? right_margin : 0.0F;
     const Pane all{corner.x, corner.y, std::max(16.0F, std::floor(room.x - kept_clear)),
                    std::max(16.0F, std::floor(room.y))};
     const float gap = 2.0F;
@@ -93,10 +93,13 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
         panes_[k] = {all.left + static_cast<float>(k % 2) * (width + gap),
                      all.top + static_cast<float>(k / 2) * (height + gap), width, height};
     }
+    const bool reshaped = pane_.width != width || pane_.height != height;
     pane_ = panes_[0];
+    if (reshaped && preset_ != nullptr && state.camera == preset_camera_) show(*input.scene, preset_);
     ImGui::InvisibleButton(
         "view", {all.width, all.height},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::SetItemAllowOverlap();  // the scale and its fields stand over it
     widgets.note("view");
     const bool hovered = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;

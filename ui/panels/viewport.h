@@ -73,7 +73,8 @@ private:
         bool begun = false;  ///< the mouse went far enough to mean it
     };
 
-    Camera beside_margin(const Bounds& bounds, Camera (*preset)(const Bounds&, double)) const;
+    using Preset = Camera (*)(const Bounds&, double);
+    void show(const Scene& scene, Preset preset);
     void draw_isolux_labels(const Input& input, const Pane& pane, int k);
     void paint_panes(const Input& input, const ViewPainter& paint);
     void look_around(const Pane& pane);
@@ -91,6 +92,8 @@ private:
     Pane pane_;  ///< the first picture
     Pane panes_[4];
     int active_pane_ = 0;
+    Preset preset_ = nullptr;  ///< what was shown last, and the camera it gave: kept to while it is untouched
+    Camera preset_camera_;
     std::optional<Drag> drag_;
     bool turning_ = false;
     ImVec2 pressed_at_{0.0F, 0.0F};

@@ -25,8 +25,9 @@ void headline(const std::string& text, std::string_view quiet) {
     ImGui::Dummy({0.0F, 2.0F * style::scale()});
 }
 
-bool begin_tab(const char* label, WidgetRegistry& widgets) {
-    const bool open = ImGui::BeginTabItem(label);
+bool begin_tab(const char* label, WidgetRegistry& widgets, std::size_t count = 0) {
+    const std::string shown = count == 0 ? label : fmt::format("{}  {}", label, count);
+    const bool open = ImGui::BeginTabItem((shown + "###" + label).c_str());
     widgets.note(std::string("tab.") + label);
     return open;
 }
@@ -144,6 +145,13 @@ void Workbench::bottom(const ScreenRect& area) {
             if (solution) energy_table(*solution, measured);
             ImGui::EndTabItem();
         }
+        const std::size_t found = study_.findings().size();
+        if (begin_tab("Checks", widgets_, found)) {
+            if (found == 0) ImGui::TextDisabled("Nothing is wrong with the scene.");
+            if (const auto clicked = findings_table(*document_.shown(), study_.findings(), widgets_))
+                selected_ = *clicked;
+            ImGui::EndTabItem();
+        }
         ImGui::EndTabBar();
     }
     end_panel();
@@ -180,9 +188,9 @@ void Workbench::status_line(const ScreenRect& area) {
     const SolutionSnapshot solution = study_.solution();
     ImU32 light = style::quiet_text;
     std::string text = "Nothing computed yet";
-    if (!study_.faults().empty()) {
+    if (study_.fault() != nullptr) {
         light = style::warning;
-        text = study_.faults().front().message;
+        text = study_.fault()->message;
     } else if (study_.fresh()) {
         light = style::good;
         const bool as_set = !solution->converged && solution->bounces >= document_.settings().bounces;

@@ -49,7 +49,7 @@ WindowHandle open_window(PixelSize size, const std::string& title) {
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "hanei");
     WindowHandle window(glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr));
     if (!window) throw std::runtime_error("No window with OpenGL 3.3: " + last_fault());
-    glfwSetWindowSizeLimits(window.get(), 900, 560, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window.get(), 1080, 600, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window.get());
     if (gladLoadGL(glfwGetProcAddress) == 0) throw std::runtime_error("OpenGL's functions cannot be loaded.");
     glfwSwapInterval(0);  // the loop keeps the pace; waiting for a screen would delay input
