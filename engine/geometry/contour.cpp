@@ -205,8 +205,10 @@ double contour_limit(const SeenLoop& loop, const Vec3& normal, const Vec3& plane
         Vec3 a = corners[k];
         Vec3 b = corners[(k + 1) % corners.size()];
         if (a == b) continue;
-        if (a == Vec3{0.0}) a = -beside;  // the corner as it is seen just before the origin is reached
-        if (b == Vec3{0.0}) b = -beside;
+        // The corner as it is seen just before the origin is reached, be it the polygon's own or cut
+        // by the horizon.
+        if (glm::length(a) <= touching) a = -beside;
+        if (glm::length(b) <= touching) b = -beside;
         const Vec3 edge = b - a;
         const Vec3 across = glm::cross(edge, a);
         if (glm::length(across) > touching * glm::length(edge)) {

@@ -93,6 +93,16 @@ TEST(ConfigurationFactor, a_corner_is_the_limit_from_inside_the_face) {
     EXPECT_NEAR(near, limit, 1e-6);  // the way to go is 1e-7 of the wall
 }
 
+TEST(ConfigurationFactor, a_point_amid_an_upright_edge_is_the_limit_from_inside_the_face) {
+    // The wall's edge passes through the point from below its horizon to above it.
+    const Polygon wall{{0, 0, -1}, {0, 0, 1}, {1, 0, 1}, {1, 0, -1}};
+    const Vec3 inward{0, 1, 0};
+    const double limit = configuration_factor(wall, {{0, 0, 0}, {0, 0, 1}, inward});
+    const double near = configuration_factor(wall, {1e-7 * inward, {0, 0, 1}, {}});
+    EXPECT_GT(limit, 0.05);
+    EXPECT_NEAR(limit, near, 1e-6);  // 1e-7 m beside the edge of a metre-sized wall
+}
+
 TEST(ConfigurationFactor, six_faces_of_a_room_close_around_every_kind_of_receiver) {
     const auto closure = [](const Receiver& receiver) {
         const double x = 5, y = 4, z = 3;
