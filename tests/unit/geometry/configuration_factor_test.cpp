@@ -94,13 +94,16 @@ TEST(ConfigurationFactor, a_corner_is_the_limit_from_inside_the_face) {
 }
 
 TEST(ConfigurationFactor, a_point_amid_an_upright_edge_is_the_limit_from_inside_the_face) {
-    // The wall's edge passes through the point from below its horizon to above it.
-    const Polygon wall{{0, 0, -1}, {0, 0, 1}, {1, 0, 1}, {1, 0, -1}};
-    const Vec3 inward{0, 1, 0};
-    const double limit = configuration_factor(wall, {{0, 0, 0}, {0, 0, 1}, inward});
-    const double near = configuration_factor(wall, {1e-7 * inward, {0, 0, 1}, {}});
-    EXPECT_GT(limit, 0.05);
-    EXPECT_NEAR(limit, near, 1e-6);  // 1e-7 m beside the edge of a metre-sized wall
+    for (int k = 1; k < 200; ++k) {
+        // The wall's slanted edge passes through the point from below its horizon to above it.
+        const double below = 0.01 * k, slant = 0.3 + 0.002 * k, turn = 0.1 * k;
+        const Vec3 side{std::cos(turn), std::sin(turn), 0}, inward{-side.y, side.x, 0}, edge = slant * side + Vec3{0, 0, 1};
+        const Polygon wall{-below * edge, edge, edge + side, -below * edge + side};
+        const double limit = configuration_factor(wall, {{0, 0, 0}, {0, 0, 1}, inward});
+        const double near = configuration_factor(wall, {1e-7 * inward, {0, 0, 1}, {}});
+        EXPECT_GT(limit, 0.01) << k;
+        EXPECT_NEAR(limit, near, 1e-6) << k;  // 1e-7 m beside the edge of a metre-sized wall
+    }
 }
 
 TEST(ConfigurationFactor, six_faces_of_a_room_close_around_every_kind_of_receiver) {
