@@ -4,6 +4,7 @@ layout(location = 0) in vec3 place;
 layout(location = 1) in vec4 fill_colour;
 layout(location = 2) in vec4 ring_colour;
 layout(location = 3) in vec2 sizes;   // radius in pixels; greatest radius in metres (0: none)
+layout(location = 4) in vec3 normal;   // of the plane it lies in; zero: none
 
 uniform mat4 to_clip;
 uniform float pixels_per_metre;   // at depth 1 (w = 1)
@@ -19,9 +20,13 @@ void main() {
     radius = sizes.x * pixel_scale;
     if (sizes.y > 0.0) radius = clamp(sizes.y * pixels_per_metre / gl_Position.w, 1.2, radius);
     gl_PointSize = 2.0 * radius + 2.0;
-    // Some radii nearer, so that a surface it lies on does not cut it in half, seen flatly either.
-    float metres = 8.0 * radius * gl_Position.w / pixels_per_metre;
-    gl_Position = to_clip * vec4(place + metres * normalize(eye.xyz - place * eye.w), 1.0);
+    // So much nearer that the plane it lies in does not cut into it, and no more: what lies under
+    // a thin board stays hidden.
+    vec3 to_eye = normalize(eye.xyz - place * eye.w);
+    float upright = abs(dot(normal, to_eye));
+    float slope = normal == vec3(0.0) ? 1.0 : sqrt(max(0.0, 1.0 - upright * upright)) / max(upright, 0.1);
+    float metres = (0.3 + 1.1 * slope) * radius * gl_Position.w / pixels_per_metre;
+    gl_Position = to_clip * vec4(place + metres * to_eye, 1.0);
     fill = fill_colour;
     ring = ring_colour;
 }

@@ -30,7 +30,8 @@ void append(std::vector<DotMark>& dots, const PointResult& point, bool valued, c
     if (point.value.inside_solid) return;
     const std::optional<double> lux = valued ? value_of(point.value, look.part) : std::nullopt;
     const glm::vec4 fill = lux ? glm::vec4(colour_of(*lux, look), 1.0F) : ink::no_value;
-    dots.push_back({glm::vec3(point.position), fill, ring, radius, static_cast<float>(greatest_m)});
+    dots.push_back(
+        {glm::vec3(point.position), fill, ring, radius, static_cast<float>(greatest_m), glm::vec3(point.normal)});
 }
 
 double spacing_of(const CalculationGrid& grid) {
@@ -57,6 +58,7 @@ std::vector<DotMark> calculation_dots(const Scene& scene, const Solution* soluti
     for (const CalculationPoint& authored : scene.points) {
         PointResult shown;
         shown.position = authored.position;
+        shown.normal = authored.normal;
         bool has_value = false;
         if (valued) {
             for (const PointResult& result : solution->points) {

@@ -66,7 +66,8 @@ DotLayer::DotLayer() : program_(shaders::dot_vert, shaders::dot_frag) {
     vertices_.layout(sizeof(DotMark), {{0, 3, offsetof(DotMark, place)},
                                        {1, 4, offsetof(DotMark, fill)},
                                        {2, 4, offsetof(DotMark, ring)},
-                                       {3, 2, offsetof(DotMark, radius)}});
+                                       {3, 2, offsetof(DotMark, radius)},
+                                       {4, 3, offsetof(DotMark, normal)}});
 }
 
 void DotLayer::draw(const Pass& pass) const {

@@ -29,6 +29,7 @@ struct DotMark {
     glm::vec4 ring;
     float radius = 3.0F;      ///< pixels of a picture 900 high
     float greatest_m = 0.0F;  ///< m; 0: none
+    glm::vec3 normal{0.0F};   ///< of the plane it lies in; zero: none
 };
 
 namespace ink {
