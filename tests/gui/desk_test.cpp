@@ -214,6 +214,18 @@ TEST(TheDesk, draws_the_same_picture_twice_bit_for_bit) {
     EXPECT_TRUE(first.rgba == second.rgba);
 }
 
+TEST(TheDesk, closes_menus_on_escape_and_then_lets_go_of_the_selection) {
+    Driver driver(setup());
+    EXPECT_DONE(driver.click("tree." + panel));
+    EXPECT_DONE(driver.click("menu.Edit"));
+    EXPECT_NE(driver.workbench().widgets().find("edit.duplicate"), nullptr);
+    EXPECT_DONE(driver.press("Esc"));
+    EXPECT_EQ(driver.workbench().widgets().find("edit.duplicate"), nullptr);
+    EXPECT_EQ(state(driver, "selected"), panel);
+    EXPECT_DONE(driver.press("Esc"));
+    EXPECT_EQ(state(driver, "selected"), "");
+}
+
 TEST(TheDesk, fits_small_and_dense_screens) {
     for (const float scale : {1.0F, 2.0F}) {
         Driver::Setup dense = setup();

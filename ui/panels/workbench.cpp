@@ -21,7 +21,10 @@ void Workbench::read_keys() {
     const ImGuiIO& io = ImGui::GetIO();
     const bool blocked = dialogs_.kind() != Dialogs::Kind::none || browser_.is_open() || viewport_.dragging() ||
                          io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
-    if (blocked) return;
+    const bool menu_open = dialogs_.kind() == Dialogs::Kind::none && !browser_.is_open() && !io.WantTextInput &&
+                           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (menu_open && ImGui::IsKeyPressed(static_cast<int>(Key::escape))) return ImGui::ClosePopupToLevel(0, true);
+    if (blocked || menu_open) return;
     for (int k = 1; k < key_count; ++k) {
         if (!ImGui::IsKeyPressed(k, k >= static_cast<int>(Key::right) && k <= static_cast<int>(Key::page_down)))
             continue;
