@@ -12,8 +12,7 @@ namespace hanei {
 
 namespace {
 
-std::optional<Camera> camera_for(const RenderRequest& request, const Scene& scene) {
-    const double aspect = static_cast<double>(request.width) / request.height;
+std::optional<Camera> camera_for(const RenderRequest& request, const Scene& scene, double aspect) {
     const Bounds bounds = bounds_of(scene);
     if (request.view == "overview" || (request.view.empty() && scene.views.empty())) return overview(bounds, aspect);
     if (request.view == "plan") return plan_view(bounds, aspect);
@@ -50,17 +49,17 @@ int render_command(const RenderRequest& request) {
     if (!project) return exit_bad_input;
     request.change(project->settings);
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
-    const auto camera = camera_for(request, *scene);
+    const bool four_up = request.part == "four-up";
+    PictureRequest picture;
+    picture.options = options_for(request);
+    picture.size = {request.width, request.height};
+    picture.annotated = !request.plain;
+    const auto camera = camera_for(request, *scene, view_size(picture).aspect());
     if (!camera) {
         print_unknown_view(request, *scene);
         return exit_bad_input;
     }
-    const bool four_up = request.part == "four-up";
-    PictureRequest picture;
     picture.camera = *camera;
-    picture.options = options_for(request);
-    picture.size = {request.width, request.height};
-    picture.annotated = !request.plain;
 
     Study study;
     StudyRequest wanted{.display = true};

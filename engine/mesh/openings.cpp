@@ -1,3 +1,4 @@
+#include "engine/base/tolerance.h"
 #include "engine/geometry/polygon.h"
 #include "engine/mesh/contact.h"
 #include "engine/mesh/pieces.h"
@@ -16,6 +17,25 @@ ConvexBody flat_body(Polygon polygon, std::uint32_t owner) {
     std::vector<int> face(polygon.size());
     std::iota(face.begin(), face.end(), 0);
     return {std::move(polygon), {std::move(face)}, owner};
+}
+
+Polygon corners_of(const ConvexBody& body, std::size_t face) {
+    Polygon corners;
+    for (const int vertex : body.faces[face]) corners.push_back(body.vertices[static_cast<std::size_t>(vertex)]);
+    return corners;
+}
+
+/// No vertex stands out over the plane of a face.
+bool is_convex_solid(const ConvexBody& body) {
+    const double thickness = tolerance::planar * diameter(body.vertices);
+    for (std::size_t face = 0; face < body.faces.size(); ++face) {
+        const Polygon corners = corners_of(body, face);
+        const Plane plane{corners.front(), unit_normal(corners)};
+        for (const Vec3& vertex : body.vertices) {
+            if (plane.height(vertex) > thickness) return false;
+        }
+    }
+    return true;
 }
 
 /// The outline of a measured opening in the luminaire's frame, facing down; empty for points and
@@ -54,7 +74,15 @@ struct BodiesOf {
     void operator()(const PolyhedronOpening& solid) const {
         ConvexBody body{{}, solid.faces, luminaire.id.value};
         for (const Vec3& vertex : solid.vertices) body.vertices.push_back(placement(luminaire).point(vertex));
-        found.push_back(std::move(body));
+        if (is_convex_solid(body)) {
+            found.push_back(std::move(body));
+            return;
+        }
+        for (std::size_t face = 0; face < body.faces.size(); ++face) {
+            const Region region{corners_of(body, face), {}};
+            for (Polygon& piece : pieces_of(region, unit_normal(region.outline)))
+                found.push_back(flat_body(std::move(piece), luminaire.id.value));
+        }
     }
     void operator()(const MeasuredOpening&) const {
         const auto* measured = std::get_if<Measured>(&luminaire.distribution);

@@ -3,6 +3,8 @@
 #include "engine/base/check.h"
 #include "engine/study/stage_keys.h"
 
+#include <algorithm>
+
 namespace hanei {
 
 namespace {
@@ -23,6 +25,24 @@ std::vector<double> reflectances_of_unknowns(const Mesh& mesh, const Scene& scen
     if (method == Method::paper) return vertex_reflectances(mesh, scene);
     const PerPatch<double> per_patch = reflectances(mesh, scene);
     return {per_patch.all().begin(), per_patch.all().end()};
+}
+
+bool same_receiver(const Receiver& a, const Receiver& b) {
+    return a.position == b.position && a.normal == b.normal && a.inward == b.inward;
+}
+
+/// Equal but for materials and what surfaces emit.
+bool same_shapes(const Mesh& a, const Mesh& b) {
+    if (&a == &b) return true;
+    const auto same_patch = [](const Patch& x, const Patch& y) {
+        return x.face == y.face && x.corners == y.corners && x.outline == y.outline;
+    };
+    const auto same_vertex = [](const Vertex& x, const Vertex& y) {
+        return x.face == y.face && same_receiver(x.receiver, y.receiver) && x.area == y.area;
+    };
+    return a.faces.size() == b.faces.size() &&
+           std::equal(a.patches.begin(), a.patches.end(), b.patches.begin(), b.patches.end(), same_patch) &&
+           std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(), same_vertex);
 }
 
 std::vector<Receiver> centres_of(const Mesh& mesh) {
@@ -48,13 +68,7 @@ LevelAnswer direct_answer(const Mesh& mesh, std::vector<double> direct) {
 std::shared_ptr<const Mesh> Level::mesh(const Scene& scene, double max_patch) {
     const MeshKey key{surfaces_of(scene), max_patch};
     const auto* mesh = mesh_.get(key, [&] { return std::optional(make_mesh(scene, max_patch)); });
-    if (!mesh_.reused()) {
-        auto shapes = shapes_of(scene);
-        if (!geometry_ || geometry_patch_ != max_patch || !(*geometry_ == shapes)) {
-            geometry_ = std::make_shared<const Scene>(std::move(shapes));
-            geometry_patch_ = max_patch;
-        }
-    }
+    if (!geometry_ || !same_shapes(*geometry_, **mesh)) geometry_ = *mesh;
     return *mesh;
 }
 

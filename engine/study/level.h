@@ -59,8 +59,8 @@ public:
                        const std::shared_ptr<const OccluderSet>& occluders, const Work& work, StageClock& clock);
 
 private:
-    /// Stands for the mesh's geometry: the same object as long as form factors stay valid.
-    using Geometry = std::shared_ptr<const Scene>;
+    /// Stands for the shapes of the mesh: the same object as long as form factors stay valid.
+    using Geometry = std::shared_ptr<const Mesh>;
     struct FactorKey {
         Geometry geometry;
         Method method = Method::patch;
@@ -77,7 +77,7 @@ private:
         bool operator==(const GatherKey&) const = default;
     };
     struct MeshKey {
-        Scene surfaces;
+        Scene surfaces;  ///< with the opaque luminaires, which cover what they lie on
         double max_patch = 0.0;
         bool operator==(const MeshKey&) const = default;
     };
@@ -102,7 +102,6 @@ private:
 
     StageCache<MeshKey, std::shared_ptr<const Mesh>> mesh_;
     Geometry geometry_;
-    double geometry_patch_ = 0.0;
     DirectStage patch_direct_, vertex_direct_;
     StageCache<FactorKey, DenseRows> factors_;
     StageCache<VisibilityKey, Visibility> paper_visibility_;

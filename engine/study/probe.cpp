@@ -25,7 +25,7 @@ void gathered_at(const Receiver& receiver, const Mesh& mesh, const OccluderSet* 
 PointValue value_at(const Solution& solution, const Vec3& position, const Vec3& normal) {
     PointValue inside;
     inside.inside_solid = true;
-    if (solution.occluders->containing(position) >= 0) return inside;
+    if (is_covered(*solution.occluders, position, normal)) return inside;
 
     const Receiver receiver = locate(*solution.mesh, position, glm::normalize(normal)).receiver;
     const bool shadows = solution.plan.simulates(Effect::occlusion_direct);

@@ -20,23 +20,12 @@ Scene surfaces_of(const Scene& scene) {
         for (Part& part : furniture.parts) part.unknown.clear();
     }
     for (FreeSurface& surface : kept.surfaces) forget_words(surface);
-    return kept;
-}
-
-Scene shapes_of(const Scene& scene) {
-    Scene kept = surfaces_of(scene);
-    if (kept.room) {
-        kept.room->floor_material = kept.room->ceiling_material = {};
-        for (ObjectId& material : kept.room->wall_materials) material = {};
-        for (SubArea& area : kept.room->sub_areas) area.material = {};
+    for (const Luminaire& luminaire : scene.luminaires) {
+        if (!luminaire.opaque) continue;
+        kept.luminaires.push_back(light_of(luminaire));
+        kept.luminaires.back().output = LuminousFlux{};
     }
-    for (Furniture& furniture : kept.furniture) {
-        for (Part& part : furniture.parts) part.material = {};
-    }
-    for (FreeSurface& surface : kept.surfaces) {
-        surface.material = {};
-        surface.own_exitance = {};
-    }
+    kept.photometries = kept.luminaires.empty() ? std::vector<Photometry>{} : scene.photometries;
     return kept;
 }
 

@@ -5,11 +5,8 @@
 
 namespace hanei {
 
-/// Shapes and places of everything that receives light: what form factors depend on. Materials,
-/// names, luminaires, grids and views are taken out.
-Scene shapes_of(const Scene& scene);
-
-/// The shapes with their materials' ids (not the reflectances): what the mesh depends on.
+/// What the mesh depends on: shapes and places of everything that receives light, with the ids of
+/// their materials (not the reflectances), and the opaque luminaires, which cover what they lie on.
 Scene surfaces_of(const Scene& scene);
 
 /// The luminaire at full output: what its direct light depends on. Name, group, dimming are taken out.

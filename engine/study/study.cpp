@@ -154,7 +154,7 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
     places.for_each([&](PointResult& point) {
         point.value = value_from(
             {(*direct)[k], interreflected[k], iteration[k], coarse_values[k], solution.typical_mesh_error, skipped});
-        if (solution.occluders->containing(point.position) >= 0) {
+        if (is_covered(*solution.occluders, point.position, point.normal)) {
             point.value = PointValue{};
             point.value.inside_solid = true;
         }

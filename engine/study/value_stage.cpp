@@ -33,6 +33,12 @@ std::vector<Receiver> receivers_at(CalculationPlaces& places, const Mesh& mesh) 
     return receivers;
 }
 
+bool is_covered(const OccluderSet& occluders, const Vec3& position, const Vec3& normal) {
+    // Just above the surface a desk's foot is around the point, a desk's top is not.
+    constexpr double just_above = 10.0;  // tolerances: clear of the body's own skin
+    return occluders.containing(position + just_above * occluders.same_place() * glm::normalize(normal)) >= 0;
+}
+
 PointValue value_from(const ValueParts& parts) {
     PointValue value;
     value.direct = {parts.direct};

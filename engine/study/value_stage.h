@@ -26,6 +26,10 @@ CalculationPlaces places_of(const Scene& scene);
 /// One receiver a place, on the mesh's face where it lies on one.
 std::vector<Receiver> receivers_at(CalculationPlaces& places, const Mesh& mesh);
 
+/// True inside a solid and on a surface where one stands on it: no light arrives there, whatever
+/// the room is like.
+bool is_covered(const OccluderSet& occluders, const Vec3& position, const Vec3& normal);
+
 /// What the parts of a value at one place are made from, lx.
 struct ValueParts {
     double direct = 0.0;

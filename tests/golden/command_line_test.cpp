@@ -105,8 +105,10 @@ TEST_F(CommandLine, plan_says_why_for_every_effect) {
 }
 
 TEST_F(CommandLine, every_start_room_passes_its_check) {
-    for (const auto& entry : std::filesystem::directory_iterator(rooms))
-        if (entry.path().extension() == ".hanei") EXPECT_EQ(run({"check", entry.path()}), exit_done) << err_;
+    for (const auto& entry : std::filesystem::directory_iterator(rooms)) {
+        if (entry.path().extension() != ".hanei") continue;
+        EXPECT_EQ(run({"check", entry.path()}), exit_done) << err_;
+    }
 }
 
 TEST_F(CommandLine, study_writes_table_and_plot) {
@@ -147,8 +149,8 @@ TEST_F(CommandLine, direct_light_and_furnaces_of_the_shared_reference_pass) {
         const std::string name = entry.path().filename().string();
         const bool wanted = name.size() > 3 && (std::string("ABCDEF").find(name[2]) != std::string::npos ||
                                                 name.rfind("P-G1", 0) == 0 || name.rfind("P-G2", 0) == 0);
-        if (wanted && name.rfind("P-G10", 0) != 0)
-            EXPECT_EQ(run({"validate", entry.path()}), exit_done) << out_ << err_;
+        if (!wanted || name.rfind("P-G10", 0) == 0) continue;
+        EXPECT_EQ(run({"validate", entry.path()}), exit_done) << out_ << err_;
     }
 }
 

@@ -125,6 +125,19 @@ TEST_F(Invalidation, a_moved_opaque_luminaire_shadows_where_it_hangs_now) {
     }
 }
 
+TEST_F(Invalidation, a_moved_opaque_luminaire_uncovers_the_ceiling_it_lay_on) {
+    Scene scene = test::small_office();
+    scene.luminaires.front().opaque = true;
+    scene.luminaires.front().position.z = 2.8;
+    scene.points.push_back(test::point(scene, {1.8, 2.0, 2.8}, {0.0, 0.0, -1.0}));
+    Study study;
+    study.run(snapshot(scene), coarse_settings(), StudyRequest{}, Work{});
+    scene.luminaires.front().position.x = 4.8;
+    const auto kept = study.run(snapshot(scene), coarse_settings(), StudyRequest{}, Work{});
+    EXPECT_EQ(values_of(*kept), values_of(*Study().run(snapshot(scene), coarse_settings(), StudyRequest{}, Work{})));
+    EXPECT_GT(kept->points.back().value.total().value, 1.0);
+}
+
 TEST_F(Invalidation, moved_furniture_redoes_form_factors_and_direct_light) {
     run([](Scene& scene) { scene.furniture.front().position.x += 0.5; });
     for (const Stage stage : {Stage::direct, Stage::factors, Stage::balance}) EXPECT_FALSE(reused(stage));
@@ -199,6 +212,14 @@ TEST(Study, a_place_inside_furniture_has_no_illuminance) {
     const auto solution = Study().run(snapshot(scene), coarse_settings(), StudyRequest{}, Work{});
     EXPECT_TRUE(solution->points.front().value.inside_solid);
     EXPECT_TRUE(value_at(*solution, {2.0, 2.0, 0.3}, {0.0, 0.0, 1.0}).inside_solid);
+}
+
+TEST(Study, floor_under_a_standing_box_counts_as_inside_and_its_top_does_not) {
+    Scene scene = test::small_office();
+    scene.points = {test::point(scene, {2.0, 2.0, 0.0}), test::point(scene, {2.0, 2.0, 0.72})};
+    const auto solution = Study().run(snapshot(scene), coarse_settings(), StudyRequest{}, Work{});
+    EXPECT_TRUE(solution->points[0].value.inside_solid);
+    EXPECT_FALSE(solution->points[1].value.inside_solid);
 }
 
 TEST(Study, error_bars_cover_the_difference_to_a_much_finer_solution) {
