@@ -13,7 +13,8 @@ public:
 
     /// Ends the stage before, begins this one. The same stage may be entered again: times add up.
     void enter(Stage stage);
-    void mark_reused(bool reused) { reused_ = reused_ && reused; }  ///< of the present stage; all its parts must be
+    /// Of the present stage; it counts as reused when something was kept and nothing made anew.
+    void mark_reused(bool reused) { (reused ? kept_ : made_) = true; }
     std::vector<StageTime> finish();
 
 private:
@@ -22,7 +23,7 @@ private:
     Progress* progress_;
     std::vector<StageTime> times_;
     Stage stage_ = Stage::idle;
-    bool reused_ = true;
+    bool kept_ = false, made_ = false;
     std::chrono::steady_clock::time_point since_;
 };
 

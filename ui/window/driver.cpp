@@ -149,6 +149,21 @@ Driver::Fault Driver::click_object(const std::string& object) {
     return {};
 }
 
+namespace {
+
+/// How far above `foot` the place is that stands at the screen's row `y`, m: halved down from 20 m.
+double height_of_tip(const Viewport& viewport, const Vec3& foot, float y) {
+    double low = 0.0, high = 20.0;
+    for (int step = 0; step < 40; ++step) {
+        const double middle = 0.5 * (low + high);
+        const auto seen = viewport.on_screen(foot + Vec3{0.0, 0.0, middle});
+        (seen && seen->y > y ? low : high) = middle;
+    }
+    return low;
+}
+
+}  // namespace
+
 Driver::Fault Driver::drag_object(const std::string& object, const Vec3& by) {
     const ObjectId id = object_named(*workbench().document().shown(), object);
     if (workbench().chosen() != id) {
@@ -157,16 +172,16 @@ Driver::Fault Driver::drag_object(const std::string& object, const Vec3& by) {
     }
     const Vec3 start = *place_of(*workbench().document().shown(), id);
     const bool upwards = by.z != 0.0;
-    const auto from = workbench().viewport().on_screen(start);
-    const auto to = workbench().viewport().on_screen(start + by);
-    if (!from || !to) return "\"" + object + "\" would leave the view";
-    ImVec2 press = *from;
+    Vec3 grip = start;
     if (upwards) {
         const ScreenRect* tip = workbench().widgets().find("handle.z");
         if (tip == nullptr) return "the z arrow is not on the screen";
-        press = {tip->x(), tip->y()};
+        grip.z += height_of_tip(workbench().viewport(), start, tip->y());
     }
-    drag_path(press, {press.x + to->x - from->x, press.y + to->y - from->y});
+    const auto from = workbench().viewport().on_screen(grip);
+    const auto to = workbench().viewport().on_screen(grip + by);
+    if (!from || !to) return "\"" + object + "\" would leave the view";
+    drag_path(*from, *to);
     return place_of(*workbench().document().shown(), id) == start ? "\"" + object + "\" did not move" : Fault{};
 }
 
