@@ -35,16 +35,16 @@ MeasuredSource::MeasuredSource(const Placement& placed, const Region& opening, P
     : rotation_(placed.rotation),
       pieces_(convex_pieces(opening)),
       outline_(opening.outline),
-      photometry_(std::move(photometry)),
+      table_(std::move(photometry)),
       scale_over_area_(scale / glm::length(vector_area(opening))),
-      finest_beam_(finest_beam(photometry_)) {}
+      finest_beam_(finest_beam(table_.photometry())) {}
 
 double MeasuredSource::illuminance(const Receiver& receiver, const OccluderSet* occluders,
                                    std::uint32_t own_body) const {
     thread_local std::vector<BodyIndex> others;
     others.clear();
     if (occluders) candidates(*occluders, receiver.position, outline_, own_body, others);
-    OpeningIntegral integral(photometry_, rotation_, receiver, finest_beam_);
+    OpeningIntegral integral(table_, rotation_, receiver, finest_beam_);
     for (const Polygon& piece : pieces_) {
         const bool wholly_above = std::ranges::all_of(
             piece, [&](const Vec3& corner) { return glm::dot(corner - receiver.position, receiver.normal) >= 0.0; });

@@ -1,6 +1,7 @@
 /// A luminous opening every element of which radiates a measured distribution.
 #pragma once
 
+#include "engine/direct/intensity_table.h"
 #include "engine/geometry/configuration_factor.h"
 #include "engine/geometry/occluders.h"
 #include "engine/scene/placement.h"
@@ -31,7 +32,7 @@ private:
     Mat3 rotation_;
     std::vector<Polygon> pieces_;  ///< convex
     Polygon outline_;
-    Photometry photometry_;
+    IntensityTable table_;
     double scale_over_area_ = 0.0;
     double finest_beam_ = 1.0;  ///< rad over which the intensity changes by its peak at the fastest
 };

@@ -1,7 +1,5 @@
 #include "engine/direct/opening_integral.h"
 
-#include "engine/scene/intensity.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -25,12 +23,9 @@ bool is_parallelogram(std::span<const Vec3> polygon) {
 
 }  // namespace
 
-OpeningIntegral::OpeningIntegral(const Photometry& photometry, const Mat3& rotation, const Receiver& receiver,
+OpeningIntegral::OpeningIntegral(const IntensityTable& table, const Mat3& rotation, const Receiver& receiver,
                                  double finest_beam)
-    : photometry_(photometry),
-      rotation_(rotation),
-      receiver_(receiver),
-      finest_beam_(std::clamp(finest_beam, 0.1, 1.0)) {}
+    : table_(table), rotation_(rotation), receiver_(receiver), finest_beam_(std::clamp(finest_beam, 0.1, 1.0)) {}
 
 std::array<OpeningIntegral::Element, 4> OpeningIntegral::Element::quarters() const {
     const Vec3 half_u = 0.5 * u, half_v = 0.5 * v;
@@ -47,7 +42,7 @@ double OpeningIntegral::arriving(const Vec3& place) const {
     if (!(height > 0.0) || !(square > 0.0)) return 0.0;
     const double distance = std::sqrt(square);
     const Vec3 local = (from_place / distance) * rotation_;  // a row times a rotation: its inverse
-    return intensity(photometry_, local).value * height / (square * distance);
+    return table_.candela(local) * height / (square * distance);
 }
 
 double OpeningIntegral::sum(const Element& element) const {

@@ -1,8 +1,8 @@
 /// The integral of a measured intensity over a luminous opening.
 #pragma once
 
+#include "engine/direct/intensity_table.h"
 #include "engine/geometry/configuration_factor.h"
-#include "engine/scene/photometry.h"
 
 #include <array>
 #include <span>
@@ -24,7 +24,7 @@ namespace hanei {
 /// Cost      2 us for a cosine distribution two metres off, 100 us in a narrow beam.
 class OpeningIntegral {
 public:
-    OpeningIntegral(const Photometry& photometry, const Mat3& rotation, const Receiver& receiver, double finest_beam);
+    OpeningIntegral(const IntensityTable& table, const Mat3& rotation, const Receiver& receiver, double finest_beam);
 
     /// Needs     a convex polygon above the receiver's horizon.
     void add(std::span<const Vec3> polygon);
@@ -50,7 +50,7 @@ private:
     void add_element(Element element, int levels);
     Halved halved(const Element& element, int levels) const;
 
-    const Photometry& photometry_;
+    const IntensityTable& table_;
     const Mat3& rotation_;
     const Receiver& receiver_;
     double finest_beam_;

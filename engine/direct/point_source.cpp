@@ -1,7 +1,5 @@
 #include "engine/direct/point_source.h"
 
-#include "engine/scene/intensity.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +11,7 @@ double PointSource::candela(const Vec3& direction) const {
     if (const auto* beam = std::get_if<CosinePower>(&shape_)) {
         return local.z < 0.0 ? full_ * std::pow(-local.z, beam->exponent) : 0.0;
     }
-    return full_ * intensity(std::get<Photometry>(shape_), local).value;
+    return full_ * std::get<IntensityTable>(shape_).candela(local);
 }
 
 double PointSource::unobstructed(const Receiver& receiver) const {

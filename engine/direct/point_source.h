@@ -1,6 +1,7 @@
 /// A luminaire small enough to be a point.
 #pragma once
 
+#include "engine/direct/intensity_table.h"
 #include "engine/geometry/configuration_factor.h"
 #include "engine/scene/placement.h"
 #include "engine/scene/scene.h"
@@ -17,7 +18,7 @@ public:
         : placed_(placed), shape_(CosinePower{exponent}), full_(full) {}
     PointSource(const Placement& placed, double full) : placed_(placed), shape_(Diffuse{}), full_(full) {}
     PointSource(const Placement& placed, Photometry table, double full)
-        : placed_(placed), shape_(std::move(table)), full_(full) {}
+        : placed_(placed), shape_(IntensityTable(std::move(table))), full_(full) {}
 
     const Vec3& position() const { return placed_.position; }
 
@@ -28,7 +29,7 @@ private:
     double candela(const Vec3& direction) const;
 
     Placement placed_;
-    std::variant<Diffuse, CosinePower, Photometry> shape_;
+    std::variant<Diffuse, CosinePower, IntensityTable> shape_;
     double full_;
 };
 
