@@ -3,7 +3,7 @@
 #include "engine/project/luminaire_text.h"
 #include "engine/project/number_text.h"
 #include "engine/project/photometric_table.h"
-#include "engine/project/xml_reader.h"
+#include "engine/project/xml_elements.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -23,6 +23,8 @@ struct Reading {
 
 /// What is gathered on the way through the file.
 struct Gathered {
+    std::string root;
+    int root_line = 0;
     std::vector<Reading> readings;
     int first_line = 0;  ///< of the readings
     double multiplier = 1.0;
@@ -36,46 +38,46 @@ struct Gathered {
     bool area_round = false;
 };
 
-double number_in(const XmlReader& xml, std::string_view field, const std::string& text, LuminaireFindings& findings) {
+double number_in(const XmlElement& xml, std::string_view field, std::string_view text, LuminaireFindings& findings) {
     const auto value = decimal_number(trimmed(text));
     if (!value)
-        findings.fault(xml.line(), std::string{field},
+        findings.fault(xml.line, std::string{field},
                        in_quotes(text) + " is no number; a plain decimal number is needed");
     return value.value_or(0.0);
 }
 
-void read_reading(const XmlReader& xml, Gathered& gathered, LuminaireFindings& findings) {
+void read_reading(const XmlElement& xml, Gathered& gathered, LuminaireFindings& findings) {
     for (const char* name : {"h", "v"}) {
-        if (xml.attribute(name) == nullptr) {
-            return findings.fault(xml.line(), fmt::format("IntData@{}", name), "the angle is missing");
+        if (!xml.attribute(name)) {
+            return findings.fault(xml.line, fmt::format("IntData@{}", name), "the angle is missing");
         }
     }
-    if (gathered.readings.empty()) gathered.first_line = xml.line();
+    if (gathered.readings.empty()) gathered.first_line = xml.line;
     gathered.readings.push_back({number_in(xml, "IntData@h", *xml.attribute("h"), findings),
                                  number_in(xml, "IntData@v", *xml.attribute("v"), findings),
-                                 number_in(xml, "IntData", xml.text(), findings)});
+                                 number_in(xml, "IntData", xml.text, findings)});
 }
 
 /// True when the path ends with these names.
-bool is_at(const XmlReader& xml, std::string_view end) {
-    const std::string& path = xml.path();
+bool is_at(const XmlElement& xml, std::string_view end) {
+    const std::string& path = xml.path;
     if (!path.ends_with(end)) return false;
     return path.size() == end.size() || path[path.size() - end.size() - 1] == '/';
 }
 
-bool is_type(const XmlReader& xml, char type) {
-    const std::string& text = xml.text();
+bool is_type(const XmlElement& xml, char type) {
+    const std::string& text = xml.text;
     return !text.empty() && text.back() == type;
 }
 
-void read_emitter_figures(const XmlReader& xml, Photometry& photometry, Gathered& gathered,
+void read_emitter_figures(const XmlElement& xml, Photometry& photometry, Gathered& gathered,
                           LuminaireFindings& findings) {
-    const auto number = [&](std::string_view field) { return number_in(xml, field, xml.text(), findings); };
+    const auto number = [&](std::string_view field) { return number_in(xml, field, xml.text, findings); };
     if (is_at(xml, "LuminousIntensity/IntData")) read_reading(xml, gathered, findings);
     if (is_at(xml, "LuminousIntensity/Multiplier")) gathered.multiplier = number("Multiplier");
     if (is_at(xml, "LuminousIntensity/NumberHorz")) gathered.announced_horizontals = number("NumberHorz");
     if (is_at(xml, "LuminousIntensity/NumberVert")) gathered.announced_verticals = number("NumberVert");
-    if (is_at(xml, "LuminousIntensity/AbsolutePhotometry")) gathered.relative = xml.text() == "false";
+    if (is_at(xml, "LuminousIntensity/AbsolutePhotometry")) gathered.relative = xml.text == "false";
     if (is_at(xml, "PhotonData") || is_at(xml, "RadiantData")) gathered.other_quantity = true;
     if (is_at(xml, "Emitter/Quantity")) photometry.lamps = static_cast<int>(std::clamp(number("Quantity"), 0.0, 1e6));
     if (is_at(xml, "Emitter/RatedLumens")) photometry.lamp_sets = {{1.0, "", number("RatedLumens"), "", "", 0.0}};
@@ -83,27 +85,31 @@ void read_emitter_figures(const XmlReader& xml, Photometry& photometry, Gathered
     if (is_at(xml, "Emitter")) ++gathered.emitters;
 }
 
-void read_area(const XmlReader& xml, Gathered& gathered, LuminaireFindings& findings) {
-    if (xml.path().find("/EmissionAreas/") == std::string::npos) return;
-    const auto number = [&](std::string_view field) { return number_in(xml, field, xml.text(), findings); };
+void read_area(const XmlElement& xml, Gathered& gathered, LuminaireFindings& findings) {
+    if (xml.path.find("/EmissionAreas/") == std::string::npos) return;
+    const auto number = [&](std::string_view field) { return number_in(xml, field, xml.text, findings); };
     if (is_at(xml, "BottomArea/Length")) gathered.area_length = number("Length");
     if (is_at(xml, "BottomArea/Width")) gathered.area_width = number("Width");
-    if (is_at(xml, "BottomArea/Circular")) gathered.area_round = xml.text() == "true";
-    if (xml.path().ends_with("Area")) gathered.areas += xml.path().ends_with("/BottomArea") ? 1 : 2;
+    if (is_at(xml, "BottomArea/Circular")) gathered.area_round = xml.text == "true";
+    if (xml.path.ends_with("Area")) gathered.areas += xml.path.ends_with("/BottomArea") ? 1 : 2;
 }
 
-void read_header(const XmlReader& xml, Photometry& photometry, Gathered& gathered) {
-    const std::size_t header = xml.path().find("/Header/");
-    if (header != std::string::npos) photometry.keywords.emplace_back(xml.path().substr(header + 8), xml.text());
-    if (is_at(xml, "Header/Description")) photometry.name = xml.text();
-    if (std::count(xml.path().begin(), xml.path().end(), '/') == 1 && is_at(xml, "Version")) {
-        photometry.format = "TM-33 " + xml.text();
+void read_header(const XmlElement& xml, Photometry& photometry, Gathered& gathered) {
+    if (gathered.root.empty()) {
+        gathered.root = xml.path;
+        gathered.root_line = xml.line;
+    }
+    const std::size_t header = xml.path.find("/Header/");
+    if (header != std::string::npos) photometry.keywords.emplace_back(xml.path.substr(header + 8), xml.text);
+    if (is_at(xml, "Header/Description")) photometry.name = xml.text;
+    if (std::count(xml.path.begin(), xml.path.end(), '/') == 1 && is_at(xml, "Version")) {
+        photometry.format = "TM-33 " + xml.text;
     }
     if (!is_at(xml, "Gonioradiometer/Type")) return;
     photometry.type = is_type(xml, 'A')   ? PhotometricType::A
                       : is_type(xml, 'B') ? PhotometricType::B
                                           : PhotometricType::C;
-    gathered.length_along_90 = xml.text().starts_with("CIE");
+    gathered.length_along_90 = xml.text.starts_with("CIE");
 }
 
 std::vector<double> distinct(const std::vector<Reading>& readings, double Reading::*angle) {
@@ -160,9 +166,12 @@ void set_opening(const Gathered& gathered, int line, Photometry& photometry, Lum
 }
 
 /// What keeps gathered figures from being a luminaire's candela.
-bool refuse(const Gathered& gathered, int line, LuminaireFindings& findings) {
+bool refuse(const Gathered& gathered, LuminaireFindings& findings) {
     if (findings.failed()) return true;
-    if (gathered.readings.empty()) {
+    const int line = gathered.root_line;
+    if (gathered.readings.empty() && !gathered.root.starts_with("IESTM33")) {
+        findings.fault(line, "root", in_quotes("<" + gathered.root + ">") + " found; TM-33 files begin with <IESTM33>");
+    } else if (gathered.readings.empty()) {
         findings.fault(line, "LuminousData",
                        gathered.other_quantity ? "the file holds radiant or photon intensity, no luminous intensity"
                                                : "the file holds no luminous intensity");
@@ -197,13 +206,12 @@ Photometry read_tm33(std::string_view text, LuminaireFindings& findings) {
     photometry.format = "TM-33";
     photometry.absolute = true;
     Gathered gathered;
-    XmlReader xml{text, findings};
-    while (xml.next()) {
+    for_each_element(text, findings, [&](const XmlElement& xml) {
         read_header(xml, photometry, gathered);
         read_emitter_figures(xml, photometry, gathered, findings);
         read_area(xml, gathered, findings);
-    }
-    if (refuse(gathered, xml.line(), findings)) return photometry;
+    });
+    if (refuse(gathered, findings)) return photometry;
     std::vector<double> figures = arrange(gathered, photometry, findings);
     const int line = gathered.first_line;
     check_vertical(photometry, line, findings);
