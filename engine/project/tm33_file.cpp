@@ -77,7 +77,7 @@ void read_emitter_figures(const XmlElement& xml, Photometry& photometry, Gathere
     if (is_at(xml, "LuminousIntensity/Multiplier")) gathered.multiplier = number("Multiplier");
     if (is_at(xml, "LuminousIntensity/NumberHorz")) gathered.announced_horizontals = number("NumberHorz");
     if (is_at(xml, "LuminousIntensity/NumberVert")) gathered.announced_verticals = number("NumberVert");
-    if (is_at(xml, "LuminousIntensity/AbsolutePhotometry")) gathered.relative = xml.text == "false";
+    if (is_at(xml, "LuminousIntensity/AbsolutePhotometry")) gathered.relative = xml.text == "false" || xml.text == "0";
     if (is_at(xml, "PhotonData") || is_at(xml, "RadiantData")) gathered.other_quantity = true;
     if (is_at(xml, "Emitter/Quantity")) photometry.lamps = static_cast<int>(std::clamp(number("Quantity"), 0.0, 1e6));
     if (is_at(xml, "Emitter/RatedLumens")) photometry.lamp_sets = {{1.0, "", number("RatedLumens"), "", "", 0.0}};
@@ -90,7 +90,7 @@ void read_area(const XmlElement& xml, Gathered& gathered, LuminaireFindings& fin
     const auto number = [&](std::string_view field) { return number_in(xml, field, xml.text, findings); };
     if (is_at(xml, "BottomArea/Length")) gathered.area_length = number("Length");
     if (is_at(xml, "BottomArea/Width")) gathered.area_width = number("Width");
-    if (is_at(xml, "BottomArea/Circular")) gathered.area_round = xml.text == "true";
+    if (is_at(xml, "BottomArea/Circular")) gathered.area_round = xml.text == "true" || xml.text == "1";
     if (xml.path.ends_with("Area")) gathered.areas += xml.path.ends_with("/BottomArea") ? 1 : 2;
 }
 
@@ -179,7 +179,7 @@ bool refuse(const Gathered& gathered, LuminaireFindings& findings) {
         findings.fault(line, "Emitter",
                        fmt::format("{} emitters found; files of one emitter are read", gathered.emitters));
     } else if (gathered.relative) {
-        findings.fault(line, "AbsolutePhotometry", "false found; only absolute photometry is read");
+        findings.fault(line, "AbsolutePhotometry", "false or 0 found; only absolute photometry is read");
     } else if (gathered.multiplier < 0.0) {
         findings.fault(line, "Multiplier", fmt::format("{} found, allowed is 0 or more", gathered.multiplier));
     }

@@ -139,6 +139,14 @@ TEST(Tm33File, radiant_and_photon_figures_are_never_candela) {
     }
 }
 
+TEST(Tm33File, relative_figures_are_refused_however_they_are_announced) {
+    for (const char* no : {"false", "0", " false "}) {
+        EXPECT_EQ(refusal(file_with(replaced(intensity_of_a_small_lamp, "true", no))),
+                  "lamp.xml:2: AbsolutePhotometry: false or 0 found; only absolute photometry is read");
+    }
+    EXPECT_TRUE(read(file_with(replaced(intensity_of_a_small_lamp, "true", "1"))).photometry);
+}
+
 TEST(Tm33File, damaged_bytes_are_refused_or_read_and_never_more) {
     const std::string text = file_with(intensity_of_a_small_lamp, "<![CDATA[a]]>&amp;<!-- b -->");
     std::mt19937 dice{33};
