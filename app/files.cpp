@@ -1,9 +1,9 @@
 #include "app/files.h"
 
+#include "engine/base/whole_file.h"
+
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
-#include <unistd.h>
 
 namespace hanei {
 
@@ -18,18 +18,7 @@ std::optional<Project> open_project(const std::filesystem::path& file) {
 }
 
 void write_text(const std::filesystem::path& file, std::string_view text) {
-    std::filesystem::path beside = file;
-    beside += ".part" + std::to_string(::getpid());
-    std::ofstream out(beside, std::ios::binary);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();
-    std::error_code failure;
-    if (out) std::filesystem::rename(beside, file, failure);
-    if (!out || failure) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        throw std::runtime_error(file.string() + ": cannot be written" + (failure ? ": " + failure.message() : ""));
-    }
+    if (const auto reason = write_whole_file(file, text)) throw std::runtime_error(file.string() + ": " + *reason);
 }
 
 std::filesystem::path start_room() {

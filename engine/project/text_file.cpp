@@ -1,5 +1,7 @@
 #include "engine/project/text_file.h"
 
+#include "engine/base/whole_file.h"
+
 #include <fstream>
 #include <system_error>
 
@@ -55,23 +57,9 @@ std::optional<std::string> read_text_file(const std::filesystem::path& file, Dia
 }
 
 std::optional<Diagnostic> write_text_file(const std::filesystem::path& file, std::string_view text) {
-    std::filesystem::path part = file;
-    part += ".part";
-    std::error_code error;
-    {
-        std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-        stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-        stream.close();
-        if (!stream) {
-            std::filesystem::remove(part, error);
-            return fault(file, "the file cannot be written; is the folder there, is it writable, is the disk full?");
-        }
-    }
-    std::filesystem::rename(part, file, error);
-    if (!error) return std::nullopt;
-    const std::string reason = error.message();
-    std::filesystem::remove(part, error);
-    return fault(file, "the file cannot be replaced: " + reason);
+    const std::optional<std::string> reason = write_whole_file(file, text);
+    if (!reason) return std::nullopt;
+    return fault(file, *reason);
 }
 
 }  // namespace hanei

@@ -253,10 +253,15 @@ void take_times(Solution& solution, std::vector<StageTime> times) {
 }
 
 void note_divergence(Solution& solution) {
-    if (solution.greatest_row_sum > 1.0) {
-        solution.notes.push_back("The method's form factors close above 1 (greatest row sum times reflectance " +
-                                 std::to_string(solution.greatest_row_sum) +
-                                 "): its interreflection is wrong where patches come close. Use method patch.");
+    constexpr double rounding = 1e-6;  // of form factors kept as floats
+    const std::string sum = std::to_string(solution.greatest_row_sum);
+    if (solution.settings.method == Method::paper && solution.greatest_row_sum > 1.0 + rounding) {
+        solution.notes.push_back("The paper's form factors add up to more than 1 (with the reflectance, " + sum +
+                                 "): interreflection is wrong where patches come close. Use method patch.");
+    } else if (!solution.converged && solution.greatest_row_sum > 1.0 - rounding) {
+        solution.notes.push_back("Surfaces that reflect all light see only each other (greatest share passed on, " +
+                                 sum +
+                                 "): interreflection grows without end and no value has a bound. Lower a reflectance.");
     } else if (!solution.converged && solution.bounces >= solution.settings.bounces) {
         solution.notes.push_back("Stopped after " + std::to_string(solution.bounces) +
                                  " bounces as set; the rest is in the error bars.");

@@ -1,12 +1,11 @@
 #include "ui/view/image.h"
 
 #include "engine/base/check.h"
+#include "engine/base/whole_file.h"
 
 #include <csetjmp>
-#include <fstream>
 #include <png.h>
 #include <stdexcept>
-#include <system_error>
 
 namespace hanei {
 namespace {
@@ -69,25 +68,8 @@ void write_png(const Image& image, const std::filesystem::path& file,
     HANEI_CHECK(image.rgba.size() ==
                 static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
     const std::vector<char> bytes = encoded(image, text);
-    std::filesystem::path beside = file;
-    beside += ".part";
-    {
-        std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        out.close();
-        if (!out) {
-            std::error_code ignored;
-            std::filesystem::remove(beside, ignored);
-            throw std::runtime_error(file.string() + ": the picture cannot be written here");
-        }
-    }
-    std::error_code fault;
-    std::filesystem::rename(beside, file, fault);
-    if (fault) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        throw std::runtime_error(file.string() + ": " + fault.message());
-    }
+    if (const auto reason = write_whole_file(file, {bytes.data(), bytes.size()}))
+        throw std::runtime_error(file.string() + ": " + *reason);
 }
 
 }  // namespace hanei

@@ -32,7 +32,9 @@ std::string& last_fault() {
 struct Library {
     Library() {
         glfwSetErrorCallback([](int, const char* text) { last_fault() = text; });
-        if (glfwInit() == GLFW_FALSE) throw std::runtime_error("No window: " + last_fault());
+        if (glfwInit() == GLFW_FALSE)
+            throw std::runtime_error("No window: " + last_fault() +
+                                     " Without a display, \"hanei render\" draws pictures.");
     }
     ~Library() { glfwTerminate(); }
 };
