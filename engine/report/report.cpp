@@ -50,15 +50,21 @@ std::string point_name(const Scene& scene, ObjectId id) {
     return {};
 }
 
+std::string error_text(double lux) { return has_bound(lux) ? fmt::format("{:.2g}", lux) : "no bound"; }
+
+std::string bound_text(double lux) {
+    return has_bound(lux) ? fmt::format("known to {:.2g} lx of exitance", lux) : "without a bound";
+}
+
 std::string grids_text(const Solution& solution) {
     if (solution.grids.empty()) return {};
     std::string text = fmt::format("{:<24} {:>7} {:>9} {:>9} {:>9} {:>6} {:>12}\n", "grid", "points", "mean lx",
                                    "min lx", "max lx", "U0", "error <= lx");
     for (const GridResult& grid : solution.grids) {
         const GridFigures figures = figures_of(grid);
-        text += fmt::format("{:<24} {:>7} {:>9.1f} {:>9.1f} {:>9.1f} {:>6.2f} {:>12.2g}\n",
+        text += fmt::format("{:<24} {:>7} {:>9.1f} {:>9.1f} {:>9.1f} {:>6.2f} {:>12}\n",
                             cut(grid_name(*solution.scene, grid.grid), 24), figures.points, figures.mean, figures.min,
-                            figures.max, figures.uniformity, figures.largest_error);
+                            figures.max, figures.uniformity, error_text(figures.largest_error));
     }
     return text + '\n';
 }
@@ -98,8 +104,8 @@ std::string summary_text(const Solution& solution) {
     text += fmt::format("method {}, {} patches at {} m, {} bounces{}\n", name_of(solution.settings.method),
                         solution.mesh->patches.size(), solution.settings.max_patch, solution.bounces,
                         solution.converged ? "" : " (not converged: see the error bars)");
-    text += fmt::format("iteration known to {:.2g} lx of exitance; typical mesh error {:.2g} lx\n",
-                        solution.iteration_bound, solution.typical_mesh_error);
+    text += fmt::format("iteration {}; typical mesh error {:.2g} lx\n", bound_text(solution.iteration_bound),
+                        solution.typical_mesh_error);
     text +=
         fmt::format("flux: {:.1f} lm emitted, {:.1f} lm absorbed, {:.1f} lm not met again ({:.2f} %)\n",
                     solution.energy.emitted, solution.energy.absorbed, solution.energy.escaped,

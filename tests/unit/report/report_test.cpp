@@ -32,6 +32,7 @@ TEST(Report, an_illuminance_shows_the_digits_its_error_allows) {
     EXPECT_EQ(illuminance_text({412.3456}, 3.2), "412 ± 3 lx");
     EXPECT_EQ(illuminance_text({412.3456}, 0.08), "412.35 ± 0.08 lx");
     EXPECT_EQ(illuminance_text({412.3456}, 120.0), "412 ± 120 lx");
+    EXPECT_EQ(illuminance_text({412.3456}, 1e30), "412 lx, no bound");
 }
 
 TEST(Report, a_field_with_a_comma_is_quoted) {
