@@ -1,6 +1,5 @@
 #include "engine/direct/diffuse_source.h"
 
-#include "engine/direct/candidates.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/visible_part.h"
 
@@ -49,16 +48,18 @@ bool DiffuseSource::may_light(const Face& face, const Receiver& receiver) const 
            });
 }
 
-double DiffuseSource::unobstructed(const Receiver& receiver) const { return obstructed(receiver, OccluderSet{}, 0); }
+double DiffuseSource::unobstructed(const Receiver& receiver) const { return obstructed(receiver, Obstacles{}); }
 
-double DiffuseSource::obstructed(const Receiver& receiver, const OccluderSet& occluders, std::uint32_t own_body) const {
+double DiffuseSource::obstructed(const Receiver& receiver, const Obstacles& obstacles) const {
     thread_local std::vector<BodyIndex> others, own;
+    const OccluderSet& occluders = obstacles.occluders ? *obstacles.occluders : own_;
     double sum = 0.0;
     for (const Face& face : faces_) {
         if (!may_light(face, receiver)) continue;
         const Region& region = face.luminous.region;
-        candidates(occluders, receiver.position, region.outline, own_body, others);
-        candidates(own_, receiver.position, region.outline, 0, own);
+        obstacles.between(receiver.position, region.outline, others);
+        own.clear();
+        own_.between(receiver.position, region.outline, own);
         double factor = 0.0;
         if (others.empty() && own.empty()) {
             factor = configuration_factor(region, receiver);

@@ -1,8 +1,8 @@
 /// Luminous polygons of uniform exitance: a panel, a window, the faces of a luminous solid.
 #pragma once
 
+#include "engine/direct/obstacles.h"
 #include "engine/geometry/configuration_factor.h"
-#include "engine/geometry/occluders.h"
 
 #include <vector>
 
@@ -20,8 +20,7 @@ public:
 
     double unobstructed(const Receiver& receiver) const;
 
-    /// `own_body`: ObjectId value whose bodies are the source itself and hide nothing of it.
-    double obstructed(const Receiver& receiver, const OccluderSet& occluders, std::uint32_t own_body) const;
+    double obstructed(const Receiver& receiver, const Obstacles& obstacles) const;
 
     std::vector<Vec3> extent() const;  ///< corners of all faces
 

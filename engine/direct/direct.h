@@ -29,6 +29,11 @@ public:
     /// Returns   never negative, never NaN.
     Illuminance illuminance(const Receiver& receiver, const OccluderSet* occluders) const;
 
+    /// The same where only the bodies `among` can be in the way (ascending): for many receivers side
+    /// by side, found once.
+    Illuminance illuminance(const Receiver& receiver, const OccluderSet& occluders,
+                            std::span<const BodyIndex> among) const;
+
     LuminousFlux flux() const;  ///< at full output
     ObjectId luminaire() const;
 

@@ -1,8 +1,8 @@
-#include "engine/direct/candidates.h"
 #include "engine/direct/diffuse_source.h"
 #include "engine/direct/direct.h"
 #include "engine/direct/line_source.h"
 #include "engine/direct/measured_source.h"
+#include "engine/direct/obstacles.h"
 #include "engine/direct/point_source.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/visible_part.h"
@@ -143,42 +143,37 @@ struct ExtentOf {
     std::vector<Vec3> operator()(const MeasuredSource& source) const { return source.outline(); }
 };
 
-/// What arrives from each kind of source past the occluders (null: none).
+/// What arrives from each kind of source past the obstacles.
 struct Arriving {
     const Receiver& receiver;
-    const OccluderSet* occluders;
-    std::uint32_t own_body;
+    Obstacles obstacles;
 
     double operator()(const PointSource& source) const {
         const double whole = source.unobstructed(receiver);
-        if (whole == 0.0 || !occluders) return whole;
+        if (whole == 0.0 || !obstacles.occluders) return whole;
         std::vector<BodyIndex>& found = bodies_between({&source.position(), 1});
-        return occluders->blocks(receiver.position, source.position(), found) ? 0.0 : whole;
+        return obstacles.occluders->blocks(receiver.position, source.position(), found) ? 0.0 : whole;
     }
     double operator()(const LineSource& source) const {
         const double whole = source.unobstructed(receiver);
-        if (whole == 0.0 || !occluders) return whole;
+        if (whole == 0.0 || !obstacles.occluders) return whole;
         const std::array ends{source.from, source.to};
         std::vector<BodyIndex>& found = bodies_between(ends);
         if (found.empty()) return whole;
         double sum = 0.0;
         for (const auto& [first, last] :
-             visible_intervals(source.from, source.to, receiver.position, *occluders, found)) {
+             visible_intervals(source.from, source.to, receiver.position, *obstacles.occluders, found)) {
             sum += source.unobstructed(receiver, first, last);
         }
         return sum;
     }
-    double operator()(const DiffuseSource& source) const {
-        return occluders ? source.obstructed(receiver, *occluders, own_body) : source.unobstructed(receiver);
-    }
-    double operator()(const MeasuredSource& source) const {
-        return occluders ? source.obstructed(receiver, *occluders, own_body) : source.unobstructed(receiver);
-    }
+    double operator()(const DiffuseSource& source) const { return source.obstructed(receiver, obstacles); }
+    double operator()(const MeasuredSource& source) const { return source.obstructed(receiver, obstacles); }
 
 private:
     std::vector<BodyIndex>& bodies_between(std::span<const Vec3> points) const {
         thread_local std::vector<BodyIndex> found;
-        candidates(*occluders, receiver.position, points, own_body, found);
+        obstacles.between(receiver.position, points, found);
         return found;
     }
 };
@@ -192,7 +187,12 @@ Emitter::Emitter(const Scene& scene, const Luminaire& luminaire) {
 }
 
 Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet* occluders) const {
-    return {std::visit(Arriving{receiver, occluders, parts_->luminaire.value}, parts_->source)};
+    return {std::visit(Arriving{receiver, {occluders, parts_->luminaire.value, {}}}, parts_->source)};
+}
+
+Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet& occluders,
+                                 std::span<const BodyIndex> among) const {
+    return {std::visit(Arriving{receiver, {&occluders, parts_->luminaire.value, among}}, parts_->source)};
 }
 
 LuminousFlux Emitter::flux() const { return parts_->flux; }

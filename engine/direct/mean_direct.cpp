@@ -76,23 +76,33 @@ struct Sum {
     }
 };
 
-/// Null when no body can stand between the polygon and the emitter.
-const OccluderSet* occluders_between(const ReceivingPolygon& polygon, const Emitter& emitter,
-                                     const OccluderSet* occluders) {
-    if (!occluders) return nullptr;
+/// An emitter and the bodies that can stand between it and one polygon.
+struct Light {
+    const Emitter& emitter;
+    const OccluderSet* occluders;
+    std::span<const BodyIndex> bodies;
+
+    double illuminance(const Receiver& receiver) const {
+        if (bodies.empty()) return emitter.illuminance(receiver, nullptr).value;
+        return emitter.illuminance(receiver, *occluders, bodies).value;
+    }
+};
+
+/// Bodies that can stand between the polygon and the emitter, but the emitter's own.
+std::span<const BodyIndex> bodies_between(const ReceivingPolygon& polygon, const Emitter& emitter,
+                                          const OccluderSet* occluders) {
+    if (!occluders) return {};
     thread_local std::vector<BodyIndex> found;
     found.clear();
     occluders->between(polygon.outline, emitter.extent(), found);
-    const bool none = std::ranges::all_of(
-        found, [&](BodyIndex body) { return occluders->bodies()[body].owner == emitter.luminaire().value; });
-    return none ? nullptr : occluders;
+    std::erase_if(found, [&](BodyIndex body) { return occluders->bodies()[body].owner == emitter.luminaire().value; });
+    return found;
 }
 
-Sum arriving_on(const Cell& cell, const Vec3& normal, const Emitter& emitter, const OccluderSet* occluders,
-                int levels) {
-    if (occluders && levels > finest_level - shadow_level) {
+Sum arriving_on(const Cell& cell, const Vec3& normal, const Light& light, int levels) {
+    if (!light.bodies.empty() && levels > finest_level - shadow_level) {
         Sum sum;
-        for (const Cell& quarter : quarters(cell)) sum += arriving_on(quarter, normal, emitter, occluders, levels - 1);
+        for (const Cell& quarter : quarters(cell)) sum += arriving_on(quarter, normal, light, levels - 1);
         return sum;
     }
     std::array<Sample, 4> samples;
@@ -100,28 +110,28 @@ Sum arriving_on(const Cell& cell, const Vec3& normal, const Emitter& emitter, co
     Sum sum;
     double least = 0.0, greatest = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
-        const double here = emitter.illuminance({samples[k].place, normal, Vec3{0.0}}, occluders).value;
+        const double here = light.illuminance({samples[k].place, normal, Vec3{0.0}});
         least = k == 0 ? here : std::min(least, here);
         greatest = std::max(greatest, here);
         sum += {here * samples[k].area, samples[k].area};
     }
     if (levels == 0 || greatest - least <= smooth_spread * greatest) return sum;
     sum = {};
-    for (const Cell& quarter : quarters(cell)) sum += arriving_on(quarter, normal, emitter, occluders, levels - 1);
+    for (const Cell& quarter : quarters(cell)) sum += arriving_on(quarter, normal, light, levels - 1);
     return sum;
 }
 
-double mean_on(const ReceivingPolygon& polygon, const Emitter& emitter, const OccluderSet* all_occluders) {
-    const OccluderSet* occluders = occluders_between(polygon, emitter, all_occluders);
+double mean_on(const ReceivingPolygon& polygon, const Emitter& emitter, const OccluderSet* occluders) {
+    const Light light{emitter, occluders, bodies_between(polygon, emitter, occluders)};
     const std::span<const Vec3> corners = polygon.outline;
     Sum sum;
     if (corners.size() == 4) {
         const Cell whole{{corners[0], corners[1], corners[2], corners[3]}, false};
-        sum = arriving_on(whole, polygon.normal, emitter, occluders, finest_level);
+        sum = arriving_on(whole, polygon.normal, light, finest_level);
     } else {
         for (std::size_t k = 2; k < corners.size(); ++k) {
             const Cell part{{corners[0], corners[k - 1], corners[k], corners[k]}, true};
-            sum += arriving_on(part, polygon.normal, emitter, occluders, finest_level);
+            sum += arriving_on(part, polygon.normal, light, finest_level);
         }
     }
     return sum.area > 0.0 ? sum.flux / sum.area : 0.0;

@@ -1,6 +1,5 @@
 #include "engine/direct/measured_source.h"
 
-#include "engine/direct/candidates.h"
 #include "engine/direct/opening_integral.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/visible_part.h"
@@ -39,11 +38,9 @@ MeasuredSource::MeasuredSource(const Placement& placed, const Region& opening, P
       scale_over_area_(scale / glm::length(vector_area(opening))),
       finest_beam_(finest_beam(table_.photometry())) {}
 
-double MeasuredSource::illuminance(const Receiver& receiver, const OccluderSet* occluders,
-                                   std::uint32_t own_body) const {
+double MeasuredSource::obstructed(const Receiver& receiver, const Obstacles& obstacles) const {
     thread_local std::vector<BodyIndex> others;
-    others.clear();
-    if (occluders) candidates(*occluders, receiver.position, outline_, own_body, others);
+    obstacles.between(receiver.position, outline_, others);
     OpeningIntegral integral(table_, rotation_, receiver, finest_beam_);
     for (const Polygon& piece : pieces_) {
         const bool wholly_above = std::ranges::all_of(
@@ -57,7 +54,8 @@ double MeasuredSource::illuminance(const Receiver& receiver, const OccluderSet* 
         if (others.empty()) {
             integral.add(risen);
         } else {
-            for (const Polygon& part : visible_part(risen, receiver.position, *occluders, others)) integral.add(part);
+            for (const Polygon& part : visible_part(risen, receiver.position, *obstacles.occluders, others))
+                integral.add(part);
         }
     }
     return scale_over_area_ * integral.value();

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/direct/intensity_table.h"
+#include "engine/direct/obstacles.h"
 #include "engine/geometry/configuration_factor.h"
-#include "engine/geometry/occluders.h"
 #include "engine/scene/placement.h"
 #include "engine/scene/scene.h"
 
@@ -19,16 +19,12 @@ public:
     /// `opening` in scene coordinates; `scale` is k.
     MeasuredSource(const Placement& placed, const Region& opening, Photometry photometry, double scale);
 
-    double unobstructed(const Receiver& receiver) const { return illuminance(receiver, nullptr, 0); }
-    double obstructed(const Receiver& receiver, const OccluderSet& occluders, std::uint32_t own_body) const {
-        return illuminance(receiver, &occluders, own_body);
-    }
+    double unobstructed(const Receiver& receiver) const { return obstructed(receiver, Obstacles{}); }
+    double obstructed(const Receiver& receiver, const Obstacles& obstacles) const;
 
     const Polygon& outline() const { return outline_; }
 
 private:
-    double illuminance(const Receiver& receiver, const OccluderSet* occluders, std::uint32_t own_body) const;
-
     Mat3 rotation_;
     std::vector<Polygon> pieces_;  ///< convex
     Polygon outline_;

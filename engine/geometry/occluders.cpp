@@ -5,12 +5,16 @@
 #include "engine/geometry/shaft.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace hanei {
 
 namespace {
+
+/// Asking more bodies than this one by one takes longer than going down the tree.
+constexpr std::size_t most_in_a_row = 64;
 
 double rounding_of_places(const std::vector<ConvexBody>& bodies) {
     Box all;
@@ -78,6 +82,33 @@ void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::ve
     const Pyramid pyramid(eye, points, same_place_);
     const auto start = static_cast<std::ptrdiff_t>(found.size());
     tree_.visit([&](const Box& box) { return pyramid.may_touch(box); }, [&](BodyIndex body) { found.push_back(body); });
+    std::sort(found.begin() + start, found.end());
+}
+
+void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::span<const BodyIndex> among,
+                          std::vector<BodyIndex>& found) const {
+    if (points.empty() || among.empty()) return;
+    if (among.size() > most_in_a_row) return between(eye, points, found);
+    const Pyramid pyramid(eye, points, same_place_);
+    for (const BodyIndex body : among) {
+        if (pyramid.may_touch(shapes_[body].box)) found.push_back(body);
+    }
+}
+
+void OccluderSet::between(const Box& eyes, std::span<const Vec3> points, std::vector<BodyIndex>& found) const {
+    if (points.empty() || bodies_.empty()) return;
+    const Vec3 &low = eyes.low, &high = eyes.high;
+    const std::array<Vec3, 8> corners = {{low,
+                                          {high.x, low.y, low.z},
+                                          {high.x, high.y, low.z},
+                                          {low.x, high.y, low.z},
+                                          {low.x, high.y, high.z},
+                                          high,
+                                          {high.x, low.y, high.z},
+                                          {low.x, low.y, high.z}}};
+    const Shaft shaft(corners, points, -same_place_);  // bodies that only touch it count, as for one eye
+    const auto start = static_cast<std::ptrdiff_t>(found.size());
+    tree_.visit([&](const Box& box) { return shaft.may_reach(box); }, [&](BodyIndex body) { found.push_back(body); });
     std::sort(found.begin() + start, found.end());
 }
 

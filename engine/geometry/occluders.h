@@ -43,6 +43,13 @@ public:
     /// none is missed. When none is found, everything sees everything. Appends in ascending order.
     void between(std::span<const Vec3> from, std::span<const Vec3> to, std::vector<BodyIndex>& found) const;
 
+    /// The same among bodies known to be all that can be in the way (ascending).
+    void between(const Vec3& eye, std::span<const Vec3> points, std::span<const BodyIndex> among,
+                 std::vector<BodyIndex>& found) const;
+
+    /// Bodies that `between` may name for any eye in the box. Appends in ascending order.
+    void between(const Box& eyes, std::span<const Vec3> points, std::vector<BodyIndex>& found) const;
+
     /// True when some body blocks the sight line between two places.
     bool blocks(const Vec3& from, const Vec3& to) const;
     bool blocks(const Vec3& from, const Vec3& to, std::span<const BodyIndex> candidates) const;

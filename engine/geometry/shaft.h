@@ -14,7 +14,8 @@ namespace hanei {
 /// Needs     points in the order of convex polygons for a tight answer; any order is safe.
 class Shaft {
 public:
-    /// Boxes that reach less than `touching` into the shaft count as outside.
+    /// Boxes that reach less than `touching` into the shaft count as outside; below zero, boxes that
+    /// far outside count as reaching it.
     Shaft(std::span<const Vec3> from, std::span<const Vec3> to, double touching);
 
     bool may_reach(const Box& box) const;
