@@ -1,5 +1,6 @@
 #include "ui/panels/probe.h"
 
+#include "engine/report/numbers.h"
 #include "engine/study/study.h"
 #include "ui/panels/edit.h"
 #include "ui/view/pick.h"
@@ -11,6 +12,7 @@ namespace hanei {
 
 std::string short_figure(double value) {
     const double size = std::abs(value);
+    if (!has_bound(size)) return "no bound";
     if (size >= 99.95 || size == 0.0) return fmt::format("{:.0f}", value);
     if (size >= 9.995) return fmt::format("{:.1f}", value);
     if (size >= 0.995) return fmt::format("{:.2f}", value);

@@ -58,6 +58,7 @@ std::optional<ImVec2> Viewport::on_screen(const Vec3& place) const { return on_p
 
 ViewOptions Viewport::options_of(const Input& input, int k) const {
     ViewOptions look = state.options;
+    look.dark_background = true;
     if (state.four_up) look.part = four_parts[k];
     const ObjectKind kind = kind_of(*input.scene, input.selected);
     look.grids |= kind == ObjectKind::grid || kind == ObjectKind::point;

@@ -76,7 +76,7 @@ private:
 class Background {
 public:
     Background();
-    void draw() const;
+    void draw(bool dark) const;
 
 private:
     gl::Program program_;

@@ -83,8 +83,10 @@ Background::Background() : program_(shaders::background_vert, shaders::backgroun
     vertices_.fill(std::vector<glm::vec3>(3));
 }
 
-void Background::draw() const {
+void Background::draw(bool dark) const {
     program_.use();
+    program_.set("low", dark ? glm::vec3(0.135F, 0.145F, 0.16F) : glm::vec3(0.855F, 0.865F, 0.875F));
+    program_.set("high", dark ? glm::vec3(0.235F, 0.25F, 0.27F) : glm::vec3(0.935F, 0.94F, 0.945F));
     vertices_.draw_triangles();
 }
 

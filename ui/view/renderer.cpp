@@ -176,7 +176,7 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
-    b.background.draw();
+    b.background.draw(look.dark_background);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_PROGRAM_POINT_SIZE);

@@ -43,7 +43,8 @@ struct ViewOptions {
     bool mesh_lines = false;
     bool grids = true;  ///< calculation points
     bool luminaires = true;
-    double exposure = 0.0;  ///< photo: stops added to the automatic exposure
+    bool dark_background = false;  ///< for a dark window; pictures for paper are light
+    double exposure = 0.0;         ///< photo: stops added to the automatic exposure
     bool operator==(const ViewOptions&) const = default;
 };
 
