@@ -1,6 +1,7 @@
 #include "engine/geometry/contour.h"
 
 #include "engine/base/tolerance.h"
+#include "engine/geometry/arc_tangent.h"
 #include "engine/geometry/configuration_factor.h"
 
 #include <algorithm>
@@ -34,24 +35,12 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Angle between a and b over |a x b|, without the cancellation of small angles.
-double angle_over_sine(double cross_length, double dot) {
-    if (cross_length < 0.08 * dot) {
-        const double t = cross_length / dot;
-        const double s = t * t;
-        return (1.0 -
-                s * (1.0 / 3.0 - s * (1.0 / 5.0 - s * (1.0 / 7.0 - s * (1.0 / 9.0 - s * (1.0 / 11.0 - s / 13.0)))))) /
-               dot;
-    }
-    return std::atan2(cross_length, dot) / cross_length;
-}
-
 /// One edge's share, 2 pi times: angle times normal . (b x a) / |b x a|.
 double edge_share(const Vec3& a, const Vec3& b, const Vec3& edge, const Vec3& normal) {
     const Vec3 across = glm::cross(edge, a);
-    const double length = glm::length(across);
-    if (length == 0.0) return 0.0;
-    return glm::dot(across, normal) * angle_over_sine(length, glm::dot(a, b));
+    const double square = glm::dot(across, across);
+    if (square == 0.0) return 0.0;
+    return glm::dot(across, normal) * angle_over_cross(square, glm::dot(a, b));
 }
 
 struct RulePoint {

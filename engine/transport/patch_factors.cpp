@@ -1,4 +1,5 @@
 #include "engine/base/tiles.h"
+#include "engine/geometry/arc_tangent.h"
 #include "engine/transport/factors.h"
 #include "engine/transport/seen_face.h"
 
@@ -51,8 +52,8 @@ private:
             const Vec3& a = seen_[from];
             const Vec3& b = seen_[to];
             const Vec3 across = glm::cross(b - a, a);
-            const double sine = glm::length(across);
-            shares_[k] = sine > 0.0 ? std::atan2(sine, glm::dot(a, b)) / sine * glm::dot(across, normal) : 0.0;
+            const double square = glm::dot(across, across);
+            shares_[k] = square > 0.0 ? angle_over_cross(square, glm::dot(a, b)) * glm::dot(across, normal) : 0.0;
         }
     }
 

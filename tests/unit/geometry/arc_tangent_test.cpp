@@ -19,6 +19,14 @@ TEST(ArcTangent, small_angles_keep_their_digits) {
     for (double y = 1.0; y > 1e-100; y *= 0.37) EXPECT_NEAR(arc_tangent(y, 1.7) / std::atan2(y, 1.7), 1.0, 7e-16) << y;
 }
 
+TEST(ArcTangent, an_edge_subtends_the_same_angle_by_series_and_by_root) {
+    for (double angle = 3.1; angle > 1e-9; angle *= 0.97) {
+        const double length = 0.3;  // of both vectors
+        const double across = length * length * std::sin(angle), dot = length * length * std::cos(angle);
+        EXPECT_NEAR(angle_over_cross(across * across, dot) * across / angle, 1.0, 1e-15) << angle;
+    }
+}
+
 TEST(ArcTangent, the_axes_are_quarter_turns) {
     EXPECT_EQ(arc_tangent(0.0, 0.0), 0.0);
     EXPECT_EQ(arc_tangent(0.0, 2.0), 0.0);
