@@ -28,17 +28,18 @@ Pyramid::Pyramid(const Vec3& eye, std::span<const Vec3> points, double margin)
 }
 
 void Pyramid::add_axis(const Vec3& direction, std::span<const Vec3> points) {
-    const double length = glm::length(direction);
-    if (length == 0.0) return;
+    if (direction == Vec3{0.0}) return;
     Axis& axis = axes_[count_++];
-    axis = {direction / length, glm::abs(direction / length), 0.0, 0.0};
+    axis = {direction, glm::abs(direction), 0.0, 0.0};
     for (const Vec3& point : points) {
         const double along = glm::dot(axis.direction, point - eye_);
         axis.low = std::min(axis.low, along);
         axis.high = std::max(axis.high, along);
     }
-    axis.low -= margin_;
-    axis.high += margin_;
+    // A direction is no longer than its components together: at least the margin in metres.
+    const double margin = margin_ * (axis.magnitude.x + axis.magnitude.y + axis.magnitude.z);
+    axis.low -= margin;
+    axis.high += margin;
 }
 
 bool Pyramid::may_touch(const Box& box) const {

@@ -14,15 +14,15 @@ namespace hanei {
 /// Needs     points in the order of a convex polygon for a tight answer; any order is safe.
 class Pyramid {
 public:
-    /// Boxes within `margin` of the pyramid count as touching.
+    /// Boxes within `margin` of the pyramid, or up to twice that, count as touching.
     Pyramid(const Vec3& eye, std::span<const Vec3> points, double margin);
 
     bool may_touch(const Box& box) const;
 
 private:
     struct Axis {
-        Vec3 direction, magnitude;
-        double low, high;  ///< of the pyramid along it, seen from the eye
+        Vec3 direction, magnitude;  ///< not normalised
+        double low, high;           ///< of the pyramid along it, seen from the eye
     };
     void add_axis(const Vec3& direction, std::span<const Vec3> points);
 

@@ -143,6 +143,7 @@ void ShadowCast::mark_patch(std::uint32_t patch, const Polygon& outline, std::ui
             const double height = glm::dot(plane.outward, corner - receiver_.position) - plane.reach;
             all_outside = all_outside && height >= -plane.slack;
             inside = inside && height <= plane.slack;
+            if (!all_outside && !inside) break;
         }
         if (all_outside) return;
     }
