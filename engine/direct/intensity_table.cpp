@@ -59,7 +59,11 @@ IntensityTable::Angles::Place IntensityTable::Angles::place_of(double angle) con
         const std::size_t first = std::min(step, angles_.size() - 2);
         return {first, std::min(away - static_cast<double>(static_cast<std::int64_t>(first)), 1.0)};
     }
-    std::size_t k = begin_[std::min(step, begin_.size() - 1)];
+    return search(angle, std::min(step, begin_.size() - 1));
+}
+
+IntensityTable::Angles::Place IntensityTable::Angles::search(double angle, std::size_t step) const {
+    std::size_t k = begin_[step];
     while (k > 0 && angles_[k] > angle) --k;
     while (k + 2 < angles_.size() && angles_[k + 1] <= angle) ++k;
     return {k, std::clamp((angle - angles_[k]) * inverse_width_[k], 0.0, 1.0)};
@@ -108,7 +112,7 @@ double IntensityTable::in_plane(std::size_t plane, const Angles::Place& vertical
 }
 
 double IntensityTable::candela(const Vec3& direction) const {
-    if (!prepared_) return intensity(photometry_, direction).value;
+    if (!prepared_) return intensity(photometry_, direction).value;  // which asks for angles only
     const double level = std::sqrt(direction.x * direction.x + direction.y * direction.y);
     const double angle = arc_tangent(level, -direction.z) * degrees;
     if (angle < vertical_.front() - at_the_end || angle > vertical_.back() + at_the_end) return 0.0;

@@ -20,7 +20,7 @@ class IntensityTable {
 public:
     explicit IntensityTable(Photometry photometry);
 
-    /// Candela towards a unit direction in the luminaire's frame.
+    /// Candela towards a direction of any length in the luminaire's frame.
     double candela(const Vec3& direction) const;
 
     const Photometry& photometry() const { return photometry_; }
@@ -42,6 +42,8 @@ private:
         double back() const { return angles_.back(); }
 
     private:
+        Place search(double angle, std::size_t step) const;
+
         std::vector<double> angles_, inverse_width_;
         std::vector<std::uint32_t> begin_;
         double steps_a_degree_ = 0.0;

@@ -41,7 +41,7 @@ double OpeningIntegral::arriving(const Vec3& place) const {
     const double height = -glm::dot(from_place, receiver_.normal);
     if (!(height > 0.0) || !(square > 0.0)) return 0.0;
     const double distance = std::sqrt(square);
-    const Vec3 local = (from_place / distance) * rotation_;  // a row times a rotation: its inverse
+    const Vec3 local = from_place * rotation_;  // a row times a rotation: its inverse
     return table_.candela(local) * height / (square * distance);
 }
 
