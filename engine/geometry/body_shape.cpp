@@ -16,7 +16,8 @@ std::vector<int> welded(const std::vector<Vec3>& vertices, double same_place) {
     for (std::size_t k = 0; k < vertices.size(); ++k) {
         first[k] = static_cast<int>(k);
         for (std::size_t j = 0; j < k; ++j) {
-            if (glm::distance(vertices[j], vertices[k]) > same_place) continue;
+            const Vec3 apart = vertices[j] - vertices[k];
+            if (glm::dot(apart, apart) > same_place * same_place) continue;
             first[k] = static_cast<int>(j);
             break;
         }
@@ -24,10 +25,9 @@ std::vector<int> welded(const std::vector<Vec3>& vertices, double same_place) {
     return first;
 }
 
-Polygon outline_of(const ConvexBody& body, const std::vector<int>& face) {
-    Polygon outline;
+void outline_of(const ConvexBody& body, const std::vector<int>& face, Polygon& outline) {
+    outline.clear();
     for (const int vertex : face) outline.push_back(body.vertices[static_cast<std::size_t>(vertex)]);
-    return outline;
 }
 
 void add_face(BodyShape& shape, const ConvexBody& body, const std::vector<int>& first, BodyFace face,
@@ -46,7 +46,7 @@ void add_face(BodyShape& shape, const ConvexBody& body, const std::vector<int>& 
         const Vec3& from = body.vertices[static_cast<std::size_t>(a)];
         const Vec3& to = body.vertices[static_cast<std::size_t>(b)];
         const auto twin = std::ranges::find_if(shape.edges, [&](const BodyEdge& edge) {
-            return edge.from == to && edge.to == from && edge.right == BodyEdge::no_face;
+            return edge.right == BodyEdge::no_face && edge.from == to && edge.to == from;
         });
         if (twin == shape.edges.end()) {
             shape.edges.push_back({from, to, number, BodyEdge::no_face});
@@ -71,8 +71,13 @@ BodyShape::BodyShape(const ConvexBody& body, double same_place) {
         middle += vertex / static_cast<double>(body.vertices.size());
     }
     const std::vector<int> first = welded(body.vertices, same_place);
+    std::size_t corner_count = 0;
+    for (const std::vector<int>& corners : body.faces) corner_count += corners.size();
+    faces.reserve(body.faces.size());
+    edges.reserve(corner_count / 2 + 1);  // every edge of a closed body is listed by two faces
+    Polygon outline;
     for (const std::vector<int>& corners : body.faces) {
-        const Polygon outline = outline_of(body, corners);
+        outline_of(body, corners, outline);
         const BodyFace face{outline.empty() ? Vec3{0.0} : outline[0], unit_normal(outline)};
         if (face.normal == Vec3{0.0}) continue;
         flat = body.faces.size() == 1 || is_thin(body.vertices, face, same_place);
