@@ -30,15 +30,6 @@ double mean_of_face(const Solution& solution, ObjectId surface) {
     return found == solution.face_means.end() ? NAN : found->second.total().value;
 }
 
-double mean_of_all(const Solution& solution) {
-    double flux = 0.0, area = 0.0;
-    for (std::size_t p = 0; p < solution.mesh->patches.size(); ++p) {
-        area += solution.mesh->patches[p].area;
-        flux += solution.mesh->patches[p].area * (solution.patch_direct[p] + solution.patch_interreflected[p]);
-    }
-    return flux / area;
-}
-
 std::vector<Judged> judged_points(const ReferenceCase& reference, const Solution& solution) {
     std::vector<Judged> judged;
     for (std::size_t k = 0; k < reference.points.size(); ++k) {
@@ -49,7 +40,7 @@ std::vector<Judged> judged_points(const ReferenceCase& reference, const Solution
         judged.back().error_bar = value.error.total();
     }
     for (const ReferenceMean& mean : reference.means) {
-        const double got = mean.surface ? mean_of_face(solution, mean.surface) : mean_of_all(solution);
+        const double got = mean.surface ? mean_of_face(solution, mean.surface) : mean_illuminance(solution);
         judged.push_back(judge("mean of " + mean.name, "", mean.expected, got, mean.uncertainty, mean.top, mean.pass));
     }
     return judged;

@@ -104,6 +104,16 @@ bool edges_touch(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 }  // namespace
 
+double signed_area(std::span<const Vec2> polygon) {
+    double twice = 0.0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2 a = polygon[k] - polygon[0];
+        const Vec2 b = polygon[(k + 1) % polygon.size()] - polygon[0];
+        twice += a.x * b.y - a.y * b.x;
+    }
+    return twice / 2.0;
+}
+
 bool is_simple(std::span<const Vec2> polygon) {
     const std::size_t count = polygon.size();
     if (count < 3) return false;

@@ -18,7 +18,8 @@ Vec3 centroid(std::span<const Vec3> polygon);               ///< of the area; me
 double diameter(std::span<const Vec3> points);              ///< diagonal of the axis-aligned bounds
 double distance_from_plane(std::span<const Vec3> polygon);  ///< farthest vertex from the mean plane
 bool is_convex(std::span<const Vec3> polygon, const Vec3& normal);
-bool is_simple(std::span<const Vec2> polygon);  ///< no two edges touch but neighbours at their shared point
+double signed_area(std::span<const Vec2> polygon);  ///< positive when it runs counter-clockwise
+bool is_simple(std::span<const Vec2> polygon);      ///< no two edges touch but neighbours at their shared point
 
 /// A plane by a point on it and its unit normal.
 struct Plane {

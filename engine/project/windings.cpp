@@ -1,19 +1,11 @@
 #include "engine/project/windings.h"
 
+#include "engine/geometry/polygon.h"
+
 #include <algorithm>
 
 namespace hanei {
 namespace {
-
-double signed_area(const std::vector<Vec2>& plan) {
-    double twice = 0.0;
-    for (std::size_t k = 0; k < plan.size(); ++k) {
-        const Vec2 a = plan[k] - plan[0];
-        const Vec2 b = plan[(k + 1) % plan.size()] - plan[0];
-        twice += a.x * b.y - a.y * b.x;
-    }
-    return twice / 2.0;
-}
 
 /// Wall k, from corner k to the next, becomes wall n - 1 - k and runs the other way.
 void reverse_plan(Room& room) {

@@ -9,16 +9,6 @@
 namespace hanei {
 namespace {
 
-double signed_area(const std::vector<Vec2>& plan) {
-    double twice = 0.0;
-    for (std::size_t k = 0; k < plan.size(); ++k) {
-        const Vec2 a = plan[k] - plan[0];
-        const Vec2 b = plan[(k + 1) % plan.size()] - plan[0];
-        twice += a.x * b.y - a.y * b.x;
-    }
-    return twice / 2.0;
-}
-
 Bounds bounds_of_plan(const std::vector<Vec2>& plan) {
     Bounds bounds{{plan[0], 0.0}, {plan[0], 0.0}};
     for (const Vec2& corner : plan) {

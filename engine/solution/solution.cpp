@@ -42,4 +42,13 @@ GridResult layout_of(const CalculationGrid& grid) {
     return layout;
 }
 
+double mean_illuminance(const Solution& solution) {
+    double flux = 0.0, area = 0.0;
+    for (std::size_t p = 0; p < solution.mesh->patches.size(); ++p) {
+        area += solution.mesh->patches[p].area;
+        flux += solution.mesh->patches[p].area * (solution.patch_direct[p] + solution.patch_interreflected[p]);
+    }
+    return flux / area;
+}
+
 }  // namespace hanei

@@ -123,6 +123,9 @@ struct Solution {
     std::vector<std::string> notes;  ///< what the user must know ("reflectance 1 in a closed room ...")
 };
 
+/// Mean illuminance of all patches by area, lx.
+double mean_illuminance(const Solution& solution);
+
 using SolutionSnapshot = std::shared_ptr<const Solution>;
 
 }  // namespace hanei

@@ -3,6 +3,7 @@
 #include "engine/base/tiles.h"
 #include "engine/study/display_stage.h"
 #include "engine/study/level.h"
+#include "engine/study/outcome.h"
 #include "engine/study/stage_keys.h"
 #include "engine/study/value_stage.h"
 
@@ -221,54 +222,6 @@ bool Study::Stages::display(Run& run, const std::vector<double>& interreflected,
 
 Study::Study() : stages_(std::make_unique<Stages>()) {}
 Study::~Study() = default;
-
-namespace {
-
-void take_answer(Solution& solution, const LevelAnswer& answer) {
-    solution.patch_direct = answer.direct;
-    solution.patch_interreflected = answer.interreflected;
-    solution.patch_exitance = answer.exitance;
-    solution.patch_exitance_half_width = answer.exitance_half_width;
-    solution.bounces = answer.bounces;
-    solution.converged = answer.converged;
-    solution.greatest_row_sum = answer.greatest_row_sum;
-    solution.face_means = face_means(*solution.mesh, answer, solution.plan.skipped_bound_lux());
-    solution.energy = energy_of(*solution.scene, *solution.mesh, answer);
-}
-
-void take_times(Solution& solution, std::vector<StageTime> times) {
-    solution.times = std::move(times);
-    const auto ms_of = [&](std::initializer_list<Stage> stages) {
-        double ms = 0.0;
-        for (const StageTime& time : solution.times)
-            if (std::find(stages.begin(), stages.end(), time.stage) != stages.end()) ms += time.ms;
-        return ms;
-    };
-    for (PlannedEffect& effect : solution.plan.effects) {
-        if (effect.state != EffectState::simulated) continue;
-        if (effect.effect == Effect::occlusion_direct) effect.measured_ms = ms_of({Stage::direct});
-        if (effect.effect == Effect::interreflection) effect.measured_ms = ms_of({Stage::factors, Stage::balance});
-        if (effect.effect == Effect::bounces) effect.measured_ms = ms_of({Stage::balance});
-    }
-}
-
-void note_divergence(Solution& solution) {
-    constexpr double rounding = 1e-6;  // of form factors kept as floats
-    const std::string sum = std::to_string(solution.greatest_row_sum);
-    if (solution.settings.method == Method::paper && solution.greatest_row_sum > 1.0 + rounding) {
-        solution.notes.push_back("The paper's form factors add up to more than 1 (with the reflectance, " + sum +
-                                 "): interreflection is wrong where patches come close. Use method patch.");
-    } else if (!solution.converged && solution.greatest_row_sum > 1.0 - rounding) {
-        solution.notes.push_back("Surfaces that reflect all light see only each other (greatest share passed on, " +
-                                 sum +
-                                 "): interreflection grows without end and no value has a bound. Lower a reflectance.");
-    } else if (!solution.converged && solution.bounces >= solution.settings.bounces) {
-        solution.notes.push_back("Stopped after " + std::to_string(solution.bounces) +
-                                 " bounces as set; the rest is in the error bars.");
-    }
-}
-
-}  // namespace
 
 SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const StudyRequest& request,
                             const Work& work, const std::function<void(SolutionSnapshot)>& publish) {

@@ -27,15 +27,6 @@ Scene furnace(const Scene& room, double reflectance, double own_exitance) {
     return scene;
 }
 
-double mean_illuminance(const Solution& solution) {
-    double flux = 0.0, area = 0.0;
-    for (std::size_t p = 0; p < solution.mesh->patches.size(); ++p) {
-        area += solution.mesh->patches[p].area;
-        flux += solution.mesh->patches[p].area * (solution.patch_direct[p] + solution.patch_interreflected[p]);
-    }
-    return flux / area;
-}
-
 TEST(ClosedRoom, a_closed_room_of_reflectance_one_half_doubles_the_emitted_exitance) {
     Scene scene = furnace(test::box_room({3.0, 2.0, 2.5}, 0.5), 0.5, 100.0);
     for (const Vec3& place : {Vec3{1.5, 1.0, 0.0}, Vec3{0.0, 0.0, 0.0}, Vec3{1.0, 0.0, 0.0}})

@@ -1,0 +1,17 @@
+/// What a run writes into its solution besides values at points.
+#pragma once
+
+#include "engine/study/level.h"
+
+namespace hanei {
+
+/// Patch values, means of faces and the flux balance.
+void take_answer(Solution& solution, const LevelAnswer& answer);
+
+/// Times of the stages, and of the effects that they computed.
+void take_times(Solution& solution, std::vector<StageTime> times);
+
+/// Says in a sentence why the iteration did not end, when it did not.
+void note_divergence(Solution& solution);
+
+}  // namespace hanei
