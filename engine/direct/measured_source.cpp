@@ -28,6 +28,20 @@ double finest_beam(const Photometry& photometry) {
     return peak / fastest;
 }
 
+/// True for a table of zeros above 90 degrees, or one that ends there.
+bool is_dark_above(const Photometry& photometry) {
+    if (photometry.type != PhotometricType::C) return false;
+    const std::vector<double>& angles = photometry.vertical_deg;
+    if (angles.back() <= 90.0) return true;
+    const std::size_t count = angles.size();
+    for (std::size_t k = 0; k < photometry.candela.size(); ++k) {
+        const std::size_t angle = k % count;
+        const bool reaches_above = angle + 1 == count || angles[angle + 1] > 90.0;
+        if (reaches_above && photometry.candela[k] != 0.0) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 MeasuredSource::MeasuredSource(const Placement& placed, const Region& opening, Photometry photometry, double scale)
@@ -36,9 +50,23 @@ MeasuredSource::MeasuredSource(const Placement& placed, const Region& opening, P
       outline_(opening.outline),
       table_(std::move(photometry)),
       scale_over_area_(scale / glm::length(vector_area(opening))),
+      dark_above_(is_dark_above(table_.photometry())),
       finest_beam_(finest_beam(table_.photometry())) {}
 
+bool MeasuredSource::may_light(const Receiver& receiver) const {
+    const auto below_horizon = [&](const Vec3& corner) {
+        return glm::dot(corner - receiver.position, receiver.normal) <= 0.0;
+    };
+    if (std::ranges::all_of(outline_, below_horizon)) return false;
+    const auto seen_from_above = [&](const Vec3& corner) {
+        const Vec3 away = receiver.position - corner;
+        return glm::dot(away, rotation_[2]) > 1e-9 * glm::length(away);  // the last angle itself still shines
+    };
+    return !dark_above_ || !std::ranges::all_of(outline_, seen_from_above);
+}
+
 double MeasuredSource::obstructed(const Receiver& receiver, const Obstacles& obstacles) const {
+    if (!may_light(receiver)) return 0.0;
     thread_local std::vector<BodyIndex> others;
     obstacles.between(receiver.position, outline_, others);
     OpeningIntegral integral(table_, rotation_, receiver, finest_beam_);

@@ -25,11 +25,14 @@ public:
     const Polygon& outline() const { return outline_; }
 
 private:
+    bool may_light(const Receiver& receiver) const;
+
     Mat3 rotation_;
     std::vector<Polygon> pieces_;  ///< convex
     Polygon outline_;
     IntensityTable table_;
     double scale_over_area_ = 0.0;
+    bool dark_above_ = false;   ///< nothing is radiated above the luminaire's own horizon
     double finest_beam_ = 1.0;  ///< rad over which the intensity changes by its peak at the fastest
 };
 

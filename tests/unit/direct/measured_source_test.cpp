@@ -118,6 +118,14 @@ TEST(MeasuredSource, light_of_a_file_goes_where_the_file_says) {
     EXPECT_GT(emitter.illuminance({{0, 0, 3.5}, {0, 0, -1}, {}}, nullptr).value, 100.0);
 }
 
+TEST(MeasuredSource, light_that_goes_down_only_leaves_what_is_above_dark) {
+    const Scene scene = with(table([](double gamma) { return gamma < pi / 2 - 0.1 ? 500.0 : 0.0; }, 5));
+    const Emitter emitter(scene, measured(panel(1.2, 0.6), AsMeasured{}));
+    EXPECT_EQ(emitter.illuminance({{0, 0, 2.6}, {0, 0, -1}, {}}, nullptr).value, 0.0);
+    EXPECT_EQ(emitter.illuminance({{0.9, 0, 2.6}, {-1, 0, 0}, {}}, nullptr).value, 0.0);
+    EXPECT_GT(emitter.illuminance({{0.9, 0, 2.2}, {-1, 0, 0}, {}}, nullptr).value, 10.0);
+}
+
 TEST(MeasuredOpening, shapes_of_a_file_keep_their_area) {
     const auto area = [](OpeningShape shape, double x, double y, double z) {
         const Polygon outline = measured_opening({shape, x, y, z});
