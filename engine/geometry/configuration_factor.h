@@ -15,6 +15,7 @@ struct Receiver {
     /// Direction from the point into its own face, for points on an edge or corner of it: the value
     /// is the limit from there. Zero for a free point.
     Vec3 inward{0.0};
+    bool operator==(const Receiver&) const = default;
 };
 
 /// Form factor from the receiver to a polygon of any simple shape, unobstructed. With M the

@@ -16,6 +16,7 @@ struct ConvexBody {
     std::vector<Vec3> vertices;
     std::vector<std::vector<int>> faces;  ///< counter-clockwise seen from outside
     std::uint32_t owner = 0;              ///< ObjectId value of what it belongs to
+    bool operator==(const ConvexBody&) const = default;
 };
 
 /// Number of a body in an OccluderSet.

@@ -27,10 +27,6 @@ std::vector<double> reflectances_of_unknowns(const Mesh& mesh, const Scene& scen
     return {per_patch.all().begin(), per_patch.all().end()};
 }
 
-bool same_receiver(const Receiver& a, const Receiver& b) {
-    return a.position == b.position && a.normal == b.normal && a.inward == b.inward;
-}
-
 /// Equal but for materials and what surfaces emit.
 bool same_shapes(const Mesh& a, const Mesh& b) {
     if (&a == &b) return true;
@@ -38,7 +34,7 @@ bool same_shapes(const Mesh& a, const Mesh& b) {
         return x.face == y.face && x.corners == y.corners && x.outline == y.outline;
     };
     const auto same_vertex = [](const Vertex& x, const Vertex& y) {
-        return x.face == y.face && same_receiver(x.receiver, y.receiver) && x.area == y.area;
+        return x.face == y.face && x.receiver == y.receiver && x.area == y.area;
     };
     return a.faces.size() == b.faces.size() &&
            std::equal(a.patches.begin(), a.patches.end(), b.patches.begin(), b.patches.end(), same_patch) &&

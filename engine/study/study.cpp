@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace hanei {
 
@@ -20,16 +21,8 @@ constexpr double coarse_ratio = 2.0;  // the coarser solution's patches are this
 
 using Receivers = std::shared_ptr<const std::vector<Receiver>>;
 
-bool same_receivers(const std::vector<Receiver>& a, const std::vector<Receiver>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Receiver& x, const Receiver& y) {
-        return x.position == y.position && x.normal == y.normal && x.inward == y.inward;
-    });
-}
-
 bool same_bodies(const OccluderSet& a, const OccluderSet& b) {
-    return std::equal(
-        a.bodies().begin(), a.bodies().end(), b.bodies().begin(), b.bodies().end(),
-        [](const ConvexBody& x, const ConvexBody& y) { return x.vertices == y.vertices && x.faces == y.faces; });
+    return std::equal(a.bodies().begin(), a.bodies().end(), b.bodies().begin(), b.bodies().end());
 }
 
 /// Keeps the object while its content is the same, so that the stages after it are.
@@ -110,8 +103,8 @@ void Study::Stages::prepare(Run& run) {
     run.solution->occluders = occluders;
     run.solution->mesh = fine.mesh(*run.scene, run.settings.max_patch);
     CalculationPlaces places = places_of(*run.scene);
-    refresh(points, receivers_at(places, *run.solution->mesh), same_receivers);
-    refresh(vertices, vertex_receivers(*run.solution->mesh), same_receivers);
+    refresh(points, receivers_at(places, *run.solution->mesh), std::equal_to{});
+    refresh(vertices, vertex_receivers(*run.solution->mesh), std::equal_to{});
     run.solution->points = std::move(places.points);
     run.solution->grids = std::move(places.grids);
 }

@@ -26,6 +26,11 @@ bool LiveStudy::fresh() const {
 const Diagnostic* LiveStudy::fault() const { return has_errors(findings_) ? &findings_.front() : nullptr; }
 
 void LiveStudy::take() {
+    if (const std::string failure = job_.take_failure(); !failure.empty()) {
+        Diagnostic fault;
+        fault.message = "the study could not be finished (" + failure + "); take wider patches";
+        findings_.insert(findings_.begin(), std::move(fault));
+    }
     SolutionSnapshot taken = job_.take();
     if (!taken) return;
     // A result on the way has no display of its own until direct light is known.
