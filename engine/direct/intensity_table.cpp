@@ -111,8 +111,9 @@ double IntensityTable::in_plane(std::size_t plane, const Angles::Place& vertical
     return candela[0] + vertical.weight * (candela[1] - candela[0]);
 }
 
-double IntensityTable::candela(const Vec3& direction) const {
-    if (!prepared_) return intensity(photometry_, direction).value;  // which asks for angles only
+double IntensityTable::candela(const Vec3& in_luminaire) const {
+    if (!prepared_) return intensity(photometry_, in_luminaire).value;  // which asks for angles only
+    const Vec3 direction = in_file_frame(photometry_, in_luminaire);
     const double level = std::sqrt(direction.x * direction.x + direction.y * direction.y);
     const double angle = arc_tangent(level, -direction.z) * degrees;
     if (angle < vertical_.front() - at_the_end || angle > vertical_.back() + at_the_end) return 0.0;

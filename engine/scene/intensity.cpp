@@ -75,8 +75,21 @@ Between plane_between(const Photometry& photometry, double plane) {
 
 }  // namespace
 
+Vec3 in_file_frame(const Photometry& photometry, const Vec3& direction) {
+    switch (photometry.quarter_turns & 3) {
+        case 1:
+            return {direction.y, -direction.x, direction.z};
+        case 2:
+            return {-direction.x, -direction.y, direction.z};
+        case 3:
+            return {-direction.y, direction.x, direction.z};
+        default:
+            return direction;
+    }
+}
+
 LuminousIntensity intensity(const Photometry& photometry, const Vec3& direction) {
-    const PhotometricAngles angles = photometric_angles(photometry.type, direction);
+    const PhotometricAngles angles = photometric_angles(photometry.type, in_file_frame(photometry, direction));
     const Between vertical = between(photometry.vertical_deg, angles.vertical_deg);
     if (vertical.outside) return {};
     const Between plane = plane_between(photometry, angles.horizontal_deg);
@@ -98,6 +111,22 @@ PhotometricAngles peak_angles(const Photometry& photometry) {
     const auto place = static_cast<std::size_t>(std::distance(photometry.candela.begin(), peak));
     const std::size_t row = photometry.vertical_deg.size();
     return {photometry.horizontal_deg[place / row], photometry.vertical_deg[place % row]};
+}
+
+Photometry with_lamp_set(Photometry photometry, std::size_t set) {
+    const double before = photometry.lamp_sets[photometry.lamp_set].lumens;
+    const LampSet& lamps = photometry.lamp_sets[set];
+    if (before > 0.0 && lamps.lumens > 0.0) {
+        const double share = lamps.lumens / before;
+        for (double& candela : photometry.candela) candela *= share;
+        photometry.candela_per_figure *= share;
+    }
+    photometry.absolute = lamps.count < 0.0;
+    photometry.lamps = static_cast<int>(std::clamp(std::abs(lamps.count), 0.0, 1e6));
+    photometry.lamp_lumens = photometry.absolute ? 0.0 : lamps.lumens;
+    photometry.input_watts = lamps.watts;
+    photometry.lamp_set = set;
+    return photometry;
 }
 
 }  // namespace hanei

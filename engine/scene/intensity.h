@@ -25,6 +25,10 @@ struct PhotometricAngles {
 PhotometricAngles photometric_angles(PhotometricType type, const Vec3& direction);
 Vec3 photometric_direction(PhotometricType type, const PhotometricAngles& angles);
 
+/// A direction in the luminaire's frame as the file's own planes count it: turned back by
+/// Photometry::quarter_turns.
+Vec3 in_file_frame(const Photometry& photometry, const Vec3& direction);
+
 /// Intensity towards a unit direction in the luminaire's frame. Bilinear in the file's two angles, its
 /// symmetry applied; 0 outside the vertical range; the last plane is joined to the first.
 ///
@@ -48,5 +52,10 @@ LuminousIntensity peak_intensity(const Photometry& photometry);
 
 /// Where the table is greatest; the first place in the file's order.
 PhotometricAngles peak_angles(const Photometry& photometry);
+
+/// The same luminaire with another of its lamp sets: intensities, lumens and watts are in proportion.
+///
+/// Needs     `set` one of photometry.lamp_sets; both sets of known flux, else intensities stay.
+Photometry with_lamp_set(Photometry photometry, std::size_t set);
 
 }  // namespace hanei

@@ -4,6 +4,8 @@
 #include "engine/base/quantity.h"
 #include "engine/scene/object_id.h"
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,7 +40,9 @@ struct MeasuredOpeningSize {
     OpeningShape shape = OpeningShape::point;
     double extent_0 = 0.0;
     double extent_90 = 0.0;
-    double height = 0.0;
+    double height = 0.0;  ///< the greatest where the sides differ
+    /// Luminous heights of the sides at planes 0, 90, 180 and 270 where the file states them apart (EULUMDAT).
+    std::optional<std::array<double, 4>> side_heights = std::nullopt;
     bool operator==(const MeasuredOpeningSize&) const = default;
 };
 
@@ -83,7 +87,9 @@ struct Photometry {
     double candela_per_figure = 1.0;                ///< product of the file's factors: candela / this is what it wrote
     std::optional<double> declared_output_ratio;    ///< light output ratio the file states, 0 to 1
     std::optional<double> declared_downward_share;  ///< share of the flux below the horizontal it states, 0 to 1
-    std::vector<LampSet> lamp_sets;                 ///< as the file lists them; the first one is used
+    std::vector<LampSet> lamp_sets;                 ///< as the file lists them: alternatives
+    std::size_t lamp_set = 0;                       ///< the one the figures are for (with_lamp_set)
+    int quarter_turns = 0;  ///< of the intensities against the opening, counter-clockwise seen from above, 0 to 3
     std::optional<LampTilt> tilt;
     std::vector<std::pair<std::string, std::string>> keywords;  ///< in file order
     std::vector<std::string> warnings;                          ///< found while reading; shown with the luminaire

@@ -189,5 +189,32 @@ TEST(Intensity, the_peak_is_named_with_its_place) {
     EXPECT_EQ(peak_angles(photometry).vertical_deg, 60.0);
 }
 
+TEST(Intensity, a_quarter_turn_carries_the_beam_of_plane_0_to_plane_90) {
+    const auto towards_x = [](const Vec3& e) { return 100.0 + 50.0 * e.x; };
+    Photometry photometry =
+        table(PhotometricType::C, PhotometricSymmetry::none, steps(0, 315, 45), steps(0, 180, 15), towards_x);
+    const double at_plane_0 = intensity(photometry, {1, 0, 0}).value;
+    photometry.quarter_turns = 1;
+    EXPECT_EQ(intensity(photometry, {0, 1, 0}).value, at_plane_0);
+    photometry.quarter_turns = 2;
+    EXPECT_EQ(intensity(photometry, {-1, 0, 0}).value, at_plane_0);
+    photometry.quarter_turns = 3;
+    EXPECT_EQ(intensity(photometry, {0, -1, 0}).value, at_plane_0);
+}
+
+TEST(Intensity, another_lamp_set_shines_in_proportion_to_its_flux) {
+    Photometry photometry =
+        table(PhotometricType::C, PhotometricSymmetry::rotational, {0.0}, steps(0, 180, 30), uniform);
+    photometry.lamp_sets = {{1.0, "A", 1000.0, "", "", 10.0}, {-2.0, "B", 2500.0, "", "", 30.0}};
+    photometry.lamp_lumens = 1000.0;
+    const Photometry second = with_lamp_set(photometry, 1);
+    EXPECT_EQ(intensity(second, {0, 0, -1}).value, 250.0);
+    EXPECT_EQ(second.candela_per_figure, 2.5);
+    EXPECT_EQ(second.input_watts, 30.0);
+    EXPECT_EQ(second.lamps, 2);
+    EXPECT_TRUE(second.absolute);
+    EXPECT_EQ(with_lamp_set(second, 0).candela, photometry.candela);
+}
+
 }  // namespace
 }  // namespace hanei
