@@ -3,6 +3,7 @@
 #include "app/exit_code.h"
 #include "app/files.h"
 #include "engine/project/luminaire_file.h"
+#include "engine/project/luminaires.h"
 #include "engine/project/project_file.h"
 #include "ui/panels/edit.h"
 #include "ui/window/script.h"
@@ -21,6 +22,19 @@ Opened<ProjectContent> open_content(const std::filesystem::path& file) {
     ProjectRead read = read_project(file);
     Opened<ProjectContent> opened{{}, std::move(read.findings)};
     if (read.project) opened.content = ProjectContent{std::move(read.project->scene), read.project->settings};
+    return opened;
+}
+
+/// A luminaire of a container goes by the name its container gives it.
+Opened<std::vector<Photometry>> photometries_of(const std::filesystem::path& file) {
+    LuminairesRead read = read_luminaires(file);
+    Opened<std::vector<Photometry>> opened{{}, std::move(read.findings)};
+    if (read.luminaires.empty()) return opened;
+    std::vector<Photometry>& photometries = opened.content.emplace();
+    for (NamedPhotometry& luminaire : read.luminaires) {
+        luminaire.photometry.name = std::move(luminaire.name);
+        photometries.push_back(std::move(luminaire.photometry));
+    }
     return opened;
 }
 
@@ -51,6 +65,7 @@ ProjectDoor project_door() {
         LuminaireFileRead read = read_luminaire_file(file);
         return Opened<Photometry>{std::move(read.photometry), std::move(read.findings)};
     };
+    door.read_luminaires = photometries_of;
     return door;
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace hanei {
 
@@ -27,6 +28,8 @@ struct ProjectDoor {
     std::function<Opened<ProjectContent>(const std::filesystem::path&)> open;
     std::function<std::optional<Diagnostic>(const ProjectContent&, const std::filesystem::path&)> save;
     std::function<Opened<Photometry>(const std::filesystem::path&)> read_luminaire;
+    /// Every luminaire of a file, each under the name a list of them shows; empty content when there is none.
+    std::function<Opened<std::vector<Photometry>>(const std::filesystem::path&)> read_luminaires;
 };
 
 }  // namespace hanei
