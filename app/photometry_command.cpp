@@ -2,7 +2,7 @@
 
 #include "app/exit_code.h"
 #include "app/files.h"
-#include "engine/project/luminaire_file.h"
+#include "engine/project/luminaires.h"
 #include "engine/report/photometry_report.h"
 
 #include <ostream>
@@ -11,11 +11,16 @@ namespace hanei {
 
 int photometry_command(const std::filesystem::path& file, const std::optional<std::filesystem::path>& json,
                        std::ostream& out, std::ostream& err) {
-    const LuminaireFileRead read = read_luminaire_file(file);
+    LuminairesRead read = read_luminaires(file);
     for (const Diagnostic& finding : read.findings) err << to_text(finding) << '\n';
-    if (!read.photometry) return exit_bad_input;
-    out << photometry_text(*read.photometry);
-    if (json) write_text(*json, photometry_json(*read.photometry, file.string()));
+    if (read.luminaires.empty()) return exit_bad_input;
+    std::vector<Photometry> photometries;
+    for (NamedPhotometry& luminaire : read.luminaires) {
+        luminaire.photometry.name = luminaire.name;
+        out << (photometries.empty() ? "" : "\n") << photometry_text(luminaire.photometry);
+        photometries.push_back(std::move(luminaire.photometry));
+    }
+    if (json) write_text(*json, photometries_json(photometries, file.string()));
     return exit_done;
 }
 

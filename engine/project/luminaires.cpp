@@ -1,11 +1,22 @@
 #include "engine/project/luminaires.h"
 
+#include "engine/project/gldf_container.h"
+#include "engine/project/gldf_file.h"
 #include "engine/project/luminaire_file.h"
+#include "engine/project/luminaire_text.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <fmt/format.h>
+#include <fstream>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 namespace hanei {
 namespace {
+
+constexpr std::uintmax_t most_bytes = 256U << 20U;  // containers bring pictures and models along
 
 LuminairesRead alone(LuminaireFileRead read) {
     LuminairesRead result{{}, std::move(read.findings)};
@@ -16,12 +27,47 @@ LuminairesRead alone(LuminaireFileRead read) {
     return result;
 }
 
+/// By its first bytes; a damaged container by its name.
+bool is_container(std::string_view bytes, std::string_view name) {
+    constexpr std::string_view ending = ".GLDF";
+    const std::size_t length = std::min(name.size(), ending.size());
+    return looks_like_zip(bytes) || starts_with_word(name.substr(name.size() - length), ending);
+}
+
+std::optional<std::string> bytes_of(const std::filesystem::path& file, std::size_t most) {
+    std::ifstream stream{file, std::ios::binary};
+    std::string bytes(most, '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(most));
+    if (stream.bad() || !stream.is_open()) return std::nullopt;
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    return bytes;
+}
+
+LuminairesRead unread(const std::filesystem::path& file, std::string message) {
+    return {{}, {{Severity::error, {file.string(), 0, "file", 0}, std::move(message)}}};
+}
+
+LuminairesRead read_container(std::string_view bytes, std::string_view name) {
+    GldfRead read = read_gldf(bytes, name);
+    return {std::move(read.luminaires), std::move(read.findings)};
+}
+
 }  // namespace
 
-LuminairesRead read_luminaires(const std::filesystem::path& file) { return alone(read_luminaire_file(file)); }
+LuminairesRead read_luminaires(const std::filesystem::path& file) {
+    constexpr std::size_t head = 4;
+    const std::optional<std::string> beginning = bytes_of(file, head);
+    if (!beginning || !is_container(*beginning, file.string())) return alone(read_luminaire_file(file));
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error) return unread(file, "cannot be read: " + error.message());
+    if (size > most_bytes) return unread(file, fmt::format("{} bytes; a container has 256 MB at most", size));
+    const std::optional<std::string> bytes = bytes_of(file, static_cast<std::size_t>(size));
+    return bytes ? read_container(*bytes, file.string()) : unread(file, "cannot be read");
+}
 
 LuminairesRead read_luminaires(std::string_view bytes, std::string_view name) {
-    return alone(read_luminaire_text(bytes, name));
+    return is_container(bytes, name) ? read_container(bytes, name) : alone(read_luminaire_text(bytes, name));
 }
 
 }  // namespace hanei

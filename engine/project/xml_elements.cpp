@@ -24,7 +24,6 @@ public:
         return !findings_.failed();
     }
 
-private:
     /// Comments and child elements part a text into pieces.
     static std::string text_of(const pugi::xml_node& element) {
         std::string text;
@@ -34,6 +33,7 @@ private:
         return utf8_text(trimmed(text));
     }
 
+private:
     XmlLines lines_;
     LuminaireFindings& findings_;
     const XmlVisit& visit_;
@@ -82,8 +82,7 @@ std::optional<std::string_view> XmlElement::attribute(const char* name) const {
     return found.value();
 }
 
-void for_each_element(std::string_view text, LuminaireFindings& findings, const XmlVisit& visit) {
-    pugi::xml_document document;
+bool parse_xml(std::string_view text, pugi::xml_document& document, LuminaireFindings& findings) {
     const auto parse = [&](unsigned options) {
         return document.load_buffer(text.data(), text.size(), options, pugi::encoding_utf8);
     };
@@ -91,7 +90,16 @@ void for_each_element(std::string_view text, LuminaireFindings& findings, const 
     const bool references = check_elements(document, text, findings);
     if (!findings.failed() && result && references) result = parse(as_written | pugi::parse_escapes);
     if (!findings.failed() && !result) refuse_damaged(result, text, findings);
-    if (findings.failed()) return;
+    return !findings.failed();
+}
+
+std::string xml_text(const pugi::xml_node& element) { return Elements::text_of(element); }
+
+int xml_line(std::string_view text, const pugi::xml_node& element) { return XmlLines{text}.at(element.offset_debug()); }
+
+void for_each_element(std::string_view text, LuminaireFindings& findings, const XmlVisit& visit) {
+    pugi::xml_document document;
+    if (!parse_xml(text, document, findings)) return;
     Elements elements{text, findings, visit};
     document.traverse(elements);
 }

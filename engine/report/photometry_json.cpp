@@ -89,23 +89,35 @@ Json keywords_json(const Photometry& photometry) {
     return keywords;
 }
 
+Json json_of(const Photometry& photometry, std::string_view file) {
+    const PhotometryFigures figures = photometry_figures(photometry);
+    return {{"file", file},
+            {"name", photometry.name},
+            {"format", photometry.format},
+            {"photometric_type", name_of(photometry.type)},
+            {"symmetry", name_of(photometry.symmetry)},
+            {"horizontal_deg", photometry.horizontal_deg},
+            {"vertical_deg", photometry.vertical_deg},
+            {"declared", declared_json(photometry, figures)},
+            {"computed", computed_json(figures)},
+            {"opening", opening_json(photometry.opening)},
+            {"keywords", keywords_json(photometry)},
+            {"warnings", photometry.warnings}};
+}
+
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
 }  // namespace
 
 std::string photometry_json(const Photometry& photometry, std::string_view file) {
-    const PhotometryFigures figures = photometry_figures(photometry);
-    const Json json{{"file", file},
-                    {"name", photometry.name},
-                    {"format", photometry.format},
-                    {"photometric_type", name_of(photometry.type)},
-                    {"symmetry", name_of(photometry.symmetry)},
-                    {"horizontal_deg", photometry.horizontal_deg},
-                    {"vertical_deg", photometry.vertical_deg},
-                    {"declared", declared_json(photometry, figures)},
-                    {"computed", computed_json(figures)},
-                    {"opening", opening_json(photometry.opening)},
-                    {"keywords", keywords_json(photometry)},
-                    {"warnings", photometry.warnings}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+    return text_of(json_of(photometry, file));
+}
+
+std::string photometries_json(const std::vector<Photometry>& photometries, std::string_view file) {
+    if (photometries.size() == 1) return photometry_json(photometries.front(), file);
+    Json luminaires = Json::array();
+    for (const Photometry& photometry : photometries) luminaires.push_back(json_of(photometry, file));
+    return text_of({{"file", file}, {"luminaires", std::move(luminaires)}});
 }
 
 }  // namespace hanei

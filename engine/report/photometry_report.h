@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hanei {
 
@@ -13,6 +14,11 @@ std::string photometry_text(const Photometry& photometry);
 
 /// The same figures for programs. `file` is the name they are reported under.
 std::string photometry_json(const Photometry& photometry, std::string_view file);
+
+/// The luminaires of one file: one as photometry_json has it, several in a list "luminaires".
+///
+/// Needs     one or more.
+std::string photometries_json(const std::vector<Photometry>& photometries, std::string_view file);
 
 std::string_view name_of(PhotometricType type);
 std::string_view name_of(PhotometricSymmetry symmetry);  ///< "about the plane 0-180"

@@ -27,5 +27,11 @@ TEST(LuminairesOfAFile, that_is_missing_are_none_and_say_why) {
     EXPECT_TRUE(has_errors(read.findings));
 }
 
+TEST(LuminairesOfAFile, named_as_a_container_that_is_none_are_refused_as_one) {
+    const LuminairesRead read = read_luminaires("hello", "lamp.gldf");
+    ASSERT_TRUE(has_errors(read.findings));
+    EXPECT_EQ(read.findings.front().place.field, "zip");
+}
+
 }  // namespace
 }  // namespace hanei
