@@ -57,11 +57,12 @@ void read_opening(LdtLines& lines, Photometry& photometry, LuminaireFindings& fi
     const double length = metres_per_millimetre * lines.number("luminous length", size_mm);
     const int line = lines.line();
     const double width = metres_per_millimetre * lines.number("luminous width", size_mm);
-    double height = 0.0;
-    for (const char* field :
-         {"luminous height C0", "luminous height C90", "luminous height C180", "luminous height C270"}) {
-        height += metres_per_millimetre * lines.number(field, size_mm) / 4.0;
-    }
+    std::array<double, 4> heights{};
+    const char* const fields[] = {"luminous height C0", "luminous height C90", "luminous height C180",
+                                  "luminous height C270"};
+    for (std::size_t k = 0; k < heights.size(); ++k)
+        heights[k] = metres_per_millimetre * lines.number(fields[k], size_mm);
+    const double height = *std::max_element(heights.begin(), heights.end());
     if (length == 0.0 && width == 0.0) {
         photometry.opening = {OpeningShape::point, 0.0, 0.0, 0.0};
     } else if (width == 0.0) {
@@ -70,6 +71,8 @@ void read_opening(LdtLines& lines, Photometry& photometry, LuminaireFindings& fi
     } else {
         photometry.opening = {height > 0.0 ? OpeningShape::box : OpeningShape::rectangle, width, length, height};
     }
+    const bool differ = std::any_of(heights.begin(), heights.end(), [&](double side) { return side != height; });
+    if (differ && photometry.opening.shape != OpeningShape::point) photometry.opening.side_heights = heights;
     check_opening(photometry.opening, line, findings);
 }
 

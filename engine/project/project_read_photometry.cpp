@@ -1,6 +1,10 @@
-#include "engine/project/luminaire_file.h"
+#include "engine/project/luminaires.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_words.h"
+#include "engine/scene/intensity.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace hanei {
 namespace {
@@ -19,6 +23,17 @@ void take_word(Fields& fields, std::string_view key, const Words<Enum, count>& w
     fields.error(key, "found " + json_quoted(text) + ", expected one of " + allowed);
 }
 
+void take_side_heights(Fields& fields, MeasuredOpeningSize& opening) {
+    std::vector<double> heights;
+    if (!fields.optional("side_heights", heights)) return;
+    std::array<double, 4>& sides = opening.side_heights.emplace();
+    if (heights.size() == sides.size())
+        std::copy(heights.begin(), heights.end(), sides.begin());
+    else
+        fields.error("side_heights", "found " + std::to_string(heights.size()) +
+                                         " heights, expected 4: of the sides at planes 0, 90, 180 and 270");
+}
+
 void take_opening_size(Fields& fields, MeasuredOpeningSize& opening, JsonValue& kept) {
     const JsonValue* const value = fields.take("opening");
     if (value == nullptr) return fields.missing("opening", "{\"shape\": ..., \"extent_0\": ...}");
@@ -27,6 +42,7 @@ void take_opening_size(Fields& fields, MeasuredOpeningSize& opening, JsonValue& 
     size.optional("extent_0", opening.extent_0);
     size.optional("extent_90", opening.extent_90);
     size.optional("height", opening.height);
+    take_side_heights(size, opening);
     keep_unknown(size, "opening", kept);
 }
 
@@ -103,6 +119,27 @@ void take_candela(Fields& fields, Photometry& photometry) {
     }
 }
 
+/// Which of its lamp sets the photometry's figures are for.
+void take_lamp_set(Fields& fields, Photometry& photometry) {
+    int set = 0;
+    if (!fields.optional("lamp_set", set)) return;
+    const std::size_t count = photometry.lamp_sets.size();
+    if (set >= 0 && static_cast<std::size_t>(set) < count)
+        photometry.lamp_set = static_cast<std::size_t>(set);
+    else
+        fields.error("lamp_set", "found " + std::to_string(set) + ", the photometry has " + std::to_string(count) +
+                                     " lamp sets, counted from 0");
+}
+
+void take_quarter_turns(Fields& fields, Photometry& photometry) {
+    int turns = 0;
+    if (!fields.optional("quarter_turns", turns)) return;
+    if (turns >= 0 && turns <= 3)
+        photometry.quarter_turns = turns;
+    else
+        fields.error("quarter_turns", "found " + std::to_string(turns) + ", expected 0, 1, 2 or 3");
+}
+
 Photometry embedded(Fields& fields, JsonValue& kept) {
     Photometry photometry;
     fields.optional("source_file", photometry.source_file);
@@ -111,6 +148,8 @@ Photometry embedded(Fields& fields, JsonValue& kept) {
     take_word(fields, "symmetry", symmetry_words, photometry.symmetry);
     take_opening_size(fields, photometry.opening, kept);
     take_lamps(fields, photometry);
+    take_lamp_set(fields, photometry);
+    take_quarter_turns(fields, photometry);
     take_declared(fields, photometry, kept);
     take_keywords(fields, photometry);
     fields.optional("warnings", photometry.warnings);
@@ -120,6 +159,22 @@ Photometry embedded(Fields& fields, JsonValue& kept) {
     return photometry;
 }
 
+/// The one that is asked for of a file's luminaires; the only one when none is.
+Photometry chosen(Fields& fields, const std::string& file, LuminairesRead read) {
+    std::string wanted;
+    const bool asked = fields.optional("luminaire", wanted);
+    std::string names;
+    for (NamedPhotometry& luminaire : read.luminaires) {
+        if (asked ? luminaire.name == wanted : read.luminaires.size() == 1) return std::move(luminaire.photometry);
+        names += (names.empty() ? "" : ", ") + json_quoted(luminaire.name);
+    }
+    if (read.luminaires.empty())
+        fields.error("file", "the luminaire file " + json_quoted(file) + " cannot be used; see its own messages");
+    else
+        fields.error(asked ? "luminaire" : "file", "expected \"luminaire\" to be one of " + names);
+    return {};
+}
+
 Photometry from_file(SceneReader& reader, Fields& fields) {
     std::string name;
     if (!fields.optional("file", name)) return {};
@@ -127,12 +182,19 @@ Photometry from_file(SceneReader& reader, Fields& fields) {
         fields.error("file", "found " + json_quoted(name) + ", expected a path relative to the project file's folder");
         return {};
     }
-    LuminaireFileRead read = read_luminaire_file(reader.folder / std::filesystem::path(name));
-    Diagnostics& findings = reader.reading.findings;
-    findings.insert(findings.end(), read.findings.begin(), read.findings.end());
-    if (read.photometry.has_value()) return std::move(*read.photometry);
-    fields.error("file", "the luminaire file " + json_quoted(name) + " cannot be used; see its own messages");
-    return {};
+    LuminairesRead read = read_luminaires(reader.folder / std::filesystem::path(name));
+    for (Diagnostic& finding : read.findings) {
+        if (!read.luminaires.empty()) finding.severity = std::min(finding.severity, Severity::warning);
+        reader.reading.findings.push_back(std::move(finding));
+    }
+    read.findings.clear();
+    Photometry photometry = chosen(fields, name, std::move(read));
+    const std::size_t set = photometry.lamp_set;
+    take_lamp_set(fields, photometry);
+    const std::size_t wanted = std::exchange(photometry.lamp_set, set);
+    if (wanted != set) photometry = with_lamp_set(std::move(photometry), wanted);
+    take_quarter_turns(fields, photometry);
+    return photometry;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ inline constexpr Words<PhotometricSymmetry, 5> symmetry_words{{{PhotometricSymme
                                                                {PhotometricSymmetry::plane_0, "plane 0"},
                                                                {PhotometricSymmetry::plane_90, "plane 90"}}};
 
-inline constexpr Words<OpeningShape, 10> opening_shape_words{
+inline constexpr Words<OpeningShape, 11> opening_shape_words{
     {{OpeningShape::point, "point"},
      {OpeningShape::rectangle, "rectangle"},
      {OpeningShape::circle, "circle"},
@@ -31,7 +31,8 @@ inline constexpr Words<OpeningShape, 10> opening_shape_words{
      {OpeningShape::horizontal_cylinder, "horizontal cylinder"},
      {OpeningShape::sphere, "sphere"},
      {OpeningShape::ellipsoid, "ellipsoid"},
-     {OpeningShape::vertical_disc, "vertical disc"}}};
+     {OpeningShape::vertical_disc, "vertical disc"},
+     {OpeningShape::horizontal_cylinder_90, "horizontal cylinder 90"}}};
 
 template <class Enum, std::size_t count>
 constexpr std::string_view word_of(const Words<Enum, count>& words, Enum meaning) {

@@ -23,6 +23,9 @@ JsonValue json_of_opening(const MeasuredOpeningSize& opening) {
     object.add("extent_0", json_number(opening.extent_0));
     object.add("extent_90", json_number(opening.extent_90));
     object.add("height", json_number(opening.height));
+    if (opening.side_heights)
+        object.add("side_heights",
+                   json_of(std::vector<double>(opening.side_heights->begin(), opening.side_heights->end())));
     return object;
 }
 
@@ -54,6 +57,7 @@ void add_lamps(JsonValue& object, const Photometry& photometry) {
     if (photometry.lamp_sets.empty()) return;
     JsonValue& sets = object.add("lamp_sets", json_list());
     for (const LampSet& lamps : photometry.lamp_sets) sets.items.push_back(json_of_lamps(lamps));
+    if (photometry.lamp_set != 0) object.add("lamp_set", json_number(static_cast<double>(photometry.lamp_set)));
 }
 
 /// What the luminaire file says about itself.
@@ -82,6 +86,7 @@ JsonValue json_of(const Photometry& photometry) {
     object.add("symmetry", json_text(std::string(word_of(symmetry_words, photometry.symmetry))));
     object.add("opening", json_of_opening(photometry.opening));
     add_lamps(object, photometry);
+    if (photometry.quarter_turns != 0) object.add("quarter_turns", json_number(photometry.quarter_turns));
     add_declared(object, photometry);
     object.add("horizontal_deg", json_of(photometry.horizontal_deg));
     object.add("vertical_deg", json_of(photometry.vertical_deg));

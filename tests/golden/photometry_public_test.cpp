@@ -34,6 +34,17 @@ std::vector<double> intensities(const Photometry& photometry, const json& direct
     return values;
 }
 
+/// EULUMDAT states a height for each side. A point has none.
+template <class Compare>
+void compare_sides(const MeasuredOpeningSize& opening, const json& heights_mm, const Compare& compare) {
+    if (opening.shape == OpeningShape::point) return;
+    const char* const sides[] = {"C0", "C90", "C180", "C270"};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double found = opening.side_heights ? (*opening.side_heights)[k] : opening.height;
+        compare(std::string{"height at "} + sides[k], found, heights_mm[sides[k]].get<double>() / 1000.0, 1e-9);
+    }
+}
+
 /// Everything in which a file differs from what is expected of it; empty when it agrees.
 std::string disagreement(const std::filesystem::path& file, const json& expected, const json& directions) {
     const LuminaireFileRead read = read_luminaire_file(file);
@@ -62,7 +73,11 @@ std::string disagreement(const std::filesystem::path& file, const json& expected
     if (opening.contains("extent_c0_c180_m") && !opening["extent_c0_c180_m"].is_null()) {
         compare("extent 0", photometry.opening.extent_0, opening["extent_c0_c180_m"].get<double>(), 1e-6);
         compare("extent 90", photometry.opening.extent_90, opening["extent_c90_c270_m"].get<double>(), 1e-6);
-        compare("height", photometry.opening.height, opening["height_m"].get<double>(), 1e-6);
+        if (opening.contains("heights_mm")) {
+            compare_sides(photometry.opening, opening["heights_mm"], compare);
+        } else {
+            compare("height", photometry.opening.height, opening["height_m"].get<double>(), 1e-6);
+        }
     }
     const bool has_ratio = !photometry.absolute && photometry.lamp_lumens > 0.0;
     if (has_ratio == expected["lor"].is_null()) {

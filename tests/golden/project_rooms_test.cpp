@@ -153,6 +153,33 @@ TEST(ProjectFiles, a_luminaire_file_beside_the_project_is_embedded_on_saving) {
     std::filesystem::remove_all(folder);
 }
 
+TEST(ProjectFiles, one_luminaire_of_a_container_is_asked_for_by_its_name) {
+    const std::filesystem::path luminaires = source / "tests/golden/luminaires";
+    const auto read = [&luminaires](const std::string& photometry) {
+        return read_project_text(R"({"format": "hanei-project", "version": 1, "photometries": [)" + photometry + "]}",
+                                 luminaires / "p.hanei");
+    };
+    const std::string file = R"({"file": "containers/two_emitters_bom.gldf")";
+    const ProjectRead second = read(file + R"(, "luminaire": "V / e2, emergency only"})");
+    ASSERT_TRUE(second.project.has_value());
+    EXPECT_EQ(second.project->scene.photometries.front().name, "V / e2, emergency only");
+    EXPECT_FALSE(read(file + "}").project.has_value());
+    EXPECT_FALSE(read(file + R"(, "luminaire": "V / e3"})").project.has_value());
+}
+
+TEST(ProjectFiles, a_luminaire_file_is_taken_with_the_lamp_set_and_the_turn_the_project_asks_for) {
+    const ProjectRead read =
+        read_project_text(R"({"format": "hanei-project", "version": 1, "photometries": [)"
+                          R"({"file": "none_isym0_two_sets.ldt", "lamp_set": 1, "quarter_turns": 3}]})",
+                          source / "tests/golden/luminaires/synthetic/p.hanei");
+    ASSERT_TRUE(read.project.has_value());
+    const Photometry& photometry = read.project->scene.photometries.front();
+    EXPECT_EQ(photometry.lamp_set, 1U);
+    EXPECT_EQ(photometry.lamp_lumens, photometry.lamp_sets[1].lumens);
+    EXPECT_NE(photometry.lamp_lumens, photometry.lamp_sets[0].lumens);
+    EXPECT_EQ(photometry.quarter_turns, 3);
+}
+
 TEST(ProjectFiles, what_is_no_file_is_refused_with_its_reason) {
     const auto reason = [](const std::filesystem::path& file) {
         const ProjectRead read = read_project(file);

@@ -1,6 +1,7 @@
 #include "engine/project/luminaire_file.h"
 #include "engine/scene/intensity.h"
 
+#include <array>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -52,6 +53,17 @@ TEST(LdtFile, candela_are_cd_per_klm_times_the_flux_of_all_lamps_of_the_set) {
 
 TEST(LdtFile, the_length_of_the_opening_lies_along_plane_90) {
     EXPECT_EQ(read(lines()).photometry->opening, (MeasuredOpeningSize{OpeningShape::rectangle, 0.3, 1.2, 0.0}));
+}
+
+TEST(LdtFile, sides_of_different_height_are_kept_apart) {
+    auto stepped = lines();
+    stepped[17] = "50";
+    stepped[19] = "20";
+    const MeasuredOpeningSize opening = read(stepped).photometry->opening;
+    EXPECT_EQ(opening.shape, OpeningShape::box);
+    EXPECT_EQ(opening.height, 0.05);
+    EXPECT_EQ(opening.side_heights, (std::array<double, 4>{0.05, 0.0, 0.02, 0.0}));
+    EXPECT_FALSE(read(lines()).photometry->opening.side_heights);
 }
 
 TEST(LdtFile, a_width_of_0_makes_the_opening_round) {

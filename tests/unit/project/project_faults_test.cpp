@@ -141,6 +141,17 @@ TEST(ProjectFaults, what_only_follows_from_another_fault_is_not_told) {
               "room.hanei:3: materials[0].reflectance: material \"a\": found 2, allowed are 0 to 1\n");
 }
 
+TEST(ProjectFaults, a_photometry_has_four_sides_its_own_lamp_sets_and_less_than_a_full_turn) {
+    EXPECT_EQ(findings_of(project_of("\"photometries\": [{\"name\": \"p\", \"type\": \"C\", \"symmetry\": \"none\", "
+                                     "\"opening\": {\"shape\": \"box\", \"side_heights\": [1, 2]},\n"
+                                     "\"lamp_sets\": [{\"lumens_lm\": 1}], \"lamp_set\": 1,\n\"quarter_turns\": 4,\n"
+                                     "\"horizontal_deg\": [0], \"vertical_deg\": [0, 90], \"candela\": [[1, 2]]}]")),
+              "room.hanei:2: photometries[0].opening.side_heights: found 2 heights, expected 4: of the sides at planes "
+              "0, 90, 180 and 270\n"
+              "room.hanei:3: photometries[0].lamp_set: found 1, the photometry has 1 lamp sets, counted from 0\n"
+              "room.hanei:4: photometries[0].quarter_turns: found 4, expected 0, 1, 2 or 3\n");
+}
+
 TEST(ProjectFaults, a_candela_table_must_match_its_angles) {
     EXPECT_EQ(
         findings_of(
@@ -149,7 +160,7 @@ TEST(ProjectFaults, a_candela_table_must_match_its_angles) {
                        "\"candela\": [[1, 2, 3]]}]")),
         "room.hanei:2: photometries[0].opening.shape: found \"triangle\", expected one of \"point\", \"rectangle\", "
         "\"circle\", \"ellipse\", \"box\", \"vertical cylinder\", \"horizontal cylinder\", \"sphere\", \"ellipsoid\", "
-        "\"vertical disc\"\n"
+        "\"vertical disc\", \"horizontal cylinder 90\"\n"
         "room.hanei:4: photometries[0].candela: plane 0: 2 vertical angles announced, 3 values found\n");
 }
 

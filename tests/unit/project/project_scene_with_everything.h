@@ -16,7 +16,9 @@ inline Photometry photometry_with_everything(ObjectId id) {
     photometry.horizontal_deg = {90, 112.5, 270};
     photometry.vertical_deg = {0, 1.0 / 3.0, 90};
     photometry.candela = {1, 2, 3, 4, 5.000000000000001, 6, 7, 8, 1e-7};
-    photometry.opening = {OpeningShape::horizontal_cylinder, 0.6, 0.1, 0.05};
+    photometry.opening = {OpeningShape::horizontal_cylinder_90, 0.6, 0.1, 0.05, {{0.05, 0.04, 0.0, 1.0 / 30.0}}};
+    photometry.lamp_set = 1;
+    photometry.quarter_turns = 3;
     photometry.lamps = 2;
     photometry.lamp_lumens = 3350;
     photometry.absolute = true;
