@@ -7,6 +7,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/visible_part.h"
 #include "engine/scene/intensity.h"
+#include "engine/scene/opening_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -122,7 +123,7 @@ Made measured(const Scene& scene, const Luminaire& luminaire, const Measured& di
     Region opening;
     if (const auto* polygon = std::get_if<PolygonOpening>(&luminaire.opening)) opening = polygon->region;
     if (std::holds_alternative<MeasuredOpening>(luminaire.opening)) {
-        opening.outline = measured_opening(photometry->opening);
+        opening.outline = flat_opening(photometry->opening);
     }
     if (convex_pieces(opening).empty()) return {flux, PointSource{placed, *photometry, scale}};
     return {flux, MeasuredSource{placed, placed.region(opening), *photometry, scale}};

@@ -36,10 +36,4 @@ private:
     double finest_beam_ = 1.0;  ///< rad over which the intensity changes by its peak at the fastest
 };
 
-/// The file's opening as a flat polygon in the luminaire's frame, facing down: rectangles and boxes
-/// as the rectangle, rounds (cylinders, spheres) as a 32-sided polygon of their circle's or
-/// ellipse's area, an upright disc facing plane 0. Lamps without width get a hundredth of their
-/// length. Empty for a point.
-Polygon measured_opening(const MeasuredOpeningSize& size);
-
 }  // namespace hanei

@@ -1,6 +1,7 @@
 #include "engine/direct/measured_source.h"
 
 #include "engine/direct/opening_integral.h"
+#include "engine/scene/opening_shape.h"
 #include "tests/unit/direct/scenes.h"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ TEST(MeasuredSource, light_that_goes_down_only_leaves_what_is_above_dark) {
 
 TEST(MeasuredOpening, shapes_of_a_file_keep_their_area) {
     const auto area = [](OpeningShape shape, double x, double y, double z) {
-        const Polygon outline = measured_opening({shape, x, y, z});
+        const Polygon outline = flat_opening({shape, x, y, z});
         double twice = 0;
         for (std::size_t k = 2; k < outline.size(); ++k) {
             twice += glm::length(glm::cross(outline[k - 1] - outline[0], outline[k] - outline[0]));
@@ -140,9 +141,9 @@ TEST(MeasuredOpening, shapes_of_a_file_keep_their_area) {
     EXPECT_NEAR(area(OpeningShape::circle, 0.4, 0.4, 0), pi * 0.04, 1e-15);
     EXPECT_NEAR(area(OpeningShape::ellipse, 0.4, 0.2, 0), pi * 0.02, 1e-15);
     EXPECT_NEAR(area(OpeningShape::rectangle, 1.2, 0, 0), 1.2 * 0.012, 1e-15);
-    EXPECT_TRUE(measured_opening({}).empty());
-    EXPECT_TRUE(measured_opening({OpeningShape::rectangle, 0, 0, 0}).empty());
-    for (const Vec3& corner : measured_opening({OpeningShape::vertical_disc, 0, 0.3, 0.3})) EXPECT_EQ(corner.x, 0.0);
+    EXPECT_TRUE(flat_opening({}).empty());
+    EXPECT_TRUE(flat_opening({OpeningShape::rectangle, 0, 0, 0}).empty());
+    for (const Vec3& corner : flat_opening({OpeningShape::vertical_disc, 0, 0.3, 0.3})) EXPECT_EQ(corner.x, 0.0);
 }
 
 TEST(MeasuredOpening, the_opening_of_the_file_lights_as_a_polygon_of_its_size) {
