@@ -4,6 +4,7 @@
 #include "engine/direct/obstacles.h"
 #include "engine/geometry/configuration_factor.h"
 
+#include <span>
 #include <vector>
 
 namespace hanei {
@@ -24,12 +25,14 @@ public:
 
     std::vector<Vec3> extent() const;  ///< corners of all faces
 
-private:
     struct Face {
         LuminousFace luminous;
         std::vector<Polygon> pieces;  ///< convex
         Vec3 front{0.0};
     };
+    std::span<const Face> faces() const { return faces_; }
+
+private:
     bool may_light(const Face& face, const Receiver& receiver) const;
 
     std::vector<Face> faces_;

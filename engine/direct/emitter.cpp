@@ -24,6 +24,7 @@ struct Emitter::Parts {
     LuminousFlux flux;
     std::variant<PointSource, LineSource, DiffuseSource, MeasuredSource> source;
     std::vector<Vec3> extent;
+    std::vector<LuminousPiece> pieces;
 };
 
 namespace {
@@ -144,6 +145,29 @@ struct ExtentOf {
     std::vector<Vec3> operator()(const MeasuredSource& source) const { return source.outline(); }
 };
 
+struct PiecesOf {
+    using Pieces = std::vector<LuminousPiece>;
+    Pieces operator()(const PointSource& source) const {
+        return source.is_dark() ? Pieces{} : Pieces{{{source.position()}, source.front()}};
+    }
+    Pieces operator()(const LineSource& source) const {
+        return source.normal_intensity > 0.0 ? Pieces{{{source.from, source.to}, Vec3{0.0}}} : Pieces{};
+    }
+    Pieces operator()(const DiffuseSource& source) const {
+        Pieces pieces;
+        for (const DiffuseSource::Face& face : source.faces()) {
+            if (!(face.luminous.exitance > 0.0)) continue;
+            for (const Polygon& piece : face.pieces) pieces.push_back({piece, face.front});
+        }
+        return pieces;
+    }
+    Pieces operator()(const MeasuredSource& source) const {
+        Pieces pieces;
+        for (const Polygon& piece : source.pieces()) pieces.push_back({piece, source.front()});
+        return pieces;
+    }
+};
+
 /// What arrives from each kind of source past the obstacles.
 struct Arriving {
     const Receiver& receiver;
@@ -184,7 +208,9 @@ private:
 Emitter::Emitter(const Scene& scene, const Luminaire& luminaire) {
     Made made = make(scene, luminaire);
     std::vector<Vec3> extent = std::visit(ExtentOf{}, made.source);
-    parts_ = std::make_shared<const Parts>(Parts{luminaire.id, made.flux, std::move(made.source), std::move(extent)});
+    std::vector<LuminousPiece> pieces = std::visit(PiecesOf{}, made.source);
+    parts_ = std::make_shared<const Parts>(
+        Parts{luminaire.id, made.flux, std::move(made.source), std::move(extent), std::move(pieces)});
 }
 
 Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet* occluders) const {
@@ -199,5 +225,6 @@ Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet& oc
 LuminousFlux Emitter::flux() const { return parts_->flux; }
 ObjectId Emitter::luminaire() const { return parts_->luminaire; }
 std::span<const Vec3> Emitter::extent() const { return parts_->extent; }
+std::span<const LuminousPiece> Emitter::pieces() const { return parts_->pieces; }
 
 }  // namespace hanei

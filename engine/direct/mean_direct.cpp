@@ -1,5 +1,6 @@
 #include "engine/base/tiles.h"
 #include "engine/direct/direct.h"
+#include "engine/direct/light_class.h"
 
 #include <algorithm>
 #include <array>
@@ -88,17 +89,6 @@ struct Light {
     }
 };
 
-/// Bodies that can stand between the polygon and the emitter, but the emitter's own.
-std::span<const BodyIndex> bodies_between(const ReceivingPolygon& polygon, const Emitter& emitter,
-                                          const OccluderSet* occluders) {
-    if (!occluders) return {};
-    thread_local std::vector<BodyIndex> found;
-    found.clear();
-    occluders->between(polygon.outline, emitter.extent(), found);
-    std::erase_if(found, [&](BodyIndex body) { return occluders->bodies()[body].owner == emitter.luminaire().value; });
-    return found;
-}
-
 Sum arriving_on(const Cell& cell, const Vec3& normal, const Light& light, int levels) {
     if (!light.bodies.empty() && levels > finest_level - shadow_level) {
         Sum sum;
@@ -122,7 +112,9 @@ Sum arriving_on(const Cell& cell, const Vec3& normal, const Light& light, int le
 }
 
 double mean_on(const ReceivingPolygon& polygon, const Emitter& emitter, const OccluderSet* occluders) {
-    const Light light{emitter, occluders, bodies_between(polygon, emitter, occluders)};
+    thread_local std::vector<BodyIndex> between;
+    if (is_unlit(classify(polygon, emitter, occluders, std::nullopt, between))) return 0.0;
+    const Light light{emitter, occluders, between};
     const std::span<const Vec3> corners = polygon.outline;
     Sum sum;
     if (corners.size() == 4) {

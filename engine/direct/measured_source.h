@@ -7,6 +7,7 @@
 #include "engine/scene/placement.h"
 #include "engine/scene/scene.h"
 
+#include <span>
 #include <vector>
 
 namespace hanei {
@@ -23,6 +24,10 @@ public:
     double obstructed(const Receiver& receiver, const Obstacles& obstacles) const;
 
     const Polygon& outline() const { return outline_; }
+    std::span<const Polygon> pieces() const { return pieces_; }  ///< convex
+
+    /// Nothing is radiated to places behind every corner of the opening; zero: it shines all around.
+    Vec3 front() const { return dark_above_ ? -rotation_[2] : Vec3{0.0}; }
 
 private:
     bool may_light(const Receiver& receiver) const;

@@ -22,6 +22,10 @@ public:
 
     const Vec3& position() const { return placed_.position; }
 
+    /// Nothing is radiated behind this; zero: it shines all around.
+    Vec3 front() const { return std::holds_alternative<CosinePower>(shape_) ? -placed_.rotation[2] : Vec3{0.0}; }
+    bool is_dark() const { return !(full_ > 0.0); }
+
     /// Inverse square law, nothing in between; 0 at the source itself.
     double unobstructed(const Receiver& receiver) const;
 
