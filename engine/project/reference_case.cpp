@@ -3,6 +3,7 @@
 #include "engine/project/json_text.h"
 #include "engine/project/reference_reader.h"
 #include "engine/project/text_file.h"
+#include "engine/scene/scene_check.h"
 
 #include <algorithm>
 
@@ -174,14 +175,33 @@ void read_case(ReferenceRead& read, Fields& root, const std::filesystem::path& f
     read.cases.push_back(std::move(whole));
 }
 
+/// What keeps a case from being computed. Variants share their faults: each is told once.
+void check_scenes(ReferenceRead& read, JsonReading& reading) {
+    Diagnostics faults;
+    for (const ReferenceCase& target : read.cases) {
+        if (!target.unsupported.empty()) continue;
+        for (Diagnostic& finding : check_scene(target.scene)) {
+            finding.place.file = reading.file;
+            const bool told = std::find(faults.begin(), faults.end(), finding) != faults.end();
+            if (finding.severity == Severity::error && !told) faults.push_back(std::move(finding));
+        }
+    }
+    reading.findings.insert(reading.findings.end(), faults.begin(), faults.end());
+}
+
 }  // namespace
 
 ReferenceRead read_reference(const std::filesystem::path& file) {
+    Diagnostics findings;
+    const std::optional<std::string> text = read_text_file(file, findings);
+    if (!text.has_value()) return {{}, std::move(findings)};
+    return read_reference_text(*text, file);
+}
+
+ReferenceRead read_reference_text(std::string_view json, const std::filesystem::path& file) {
     ReferenceRead read;
     JsonReading reading{file.string(), {}};
-    const std::optional<std::string> text = read_text_file(file, reading.findings);
-    const std::optional<JsonValue> root =
-        text.has_value() ? parse_json(*text, reading.file, reading.findings) : std::nullopt;
+    const std::optional<JsonValue> root = parse_json(json, reading.file, reading.findings);
     if (root.has_value()) {
         Fields fields(reading, *root, "");
         const JsonValue* const schema = fields.take("schema");
@@ -190,6 +210,7 @@ ReferenceRead read_reference(const std::filesystem::path& file) {
         else
             read_case(read, fields, file.parent_path());
     }
+    if (!has_errors(reading.findings)) check_scenes(read, reading);
     if (has_errors(reading.findings)) read.cases.clear();
     read.findings = std::move(reading.findings);
     return read;

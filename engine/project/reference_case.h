@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hanei {
@@ -62,6 +63,9 @@ struct ReferenceRead {
 };
 
 ReferenceRead read_reference(const std::filesystem::path& file);
+/// Every case that is supported has a scene without errors (check_scene).
+/// `file` is what messages call the text, and what photometric files are beside.
+ReferenceRead read_reference_text(std::string_view json, const std::filesystem::path& file);
 
 /// A file itself; a folder's *.json files downwards, sorted, index files left out.
 std::vector<std::filesystem::path> reference_files(const std::filesystem::path& path);

@@ -47,6 +47,7 @@ bool share_an_edge(const Polygon& one, const Polygon& other) {
 
 /// A sheet standing in the room by itself: joined to no other surface, with some of them behind it.
 bool stands_alone(const FreeSurface& sheet, const std::vector<FreeSurface>& surfaces) {
+    if (sheet.region.outline.empty()) return false;
     const Vec3 front = vector_area(sheet.region.outline);
     bool has_something_behind = false;
     for (const FreeSurface& other : surfaces) {

@@ -174,5 +174,18 @@ TEST(ReferenceFiles, a_missing_file_is_a_finding) {
     EXPECT_TRUE(read.cases.empty());
 }
 
+TEST(ReferenceFiles, a_scene_that_cannot_be_computed_is_refused) {
+    const ReferenceRead read = read_reference_text(
+        R"({"schema": "hanei-reference/1", "id": "P", "category": "a", "scene": {"surfaces": [
+            {"id": "a", "vertices": [], "reflectance": 0.5},
+            {"id": "b", "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0]], "reflectance": 2}]}})",
+        "case.json");
+    EXPECT_TRUE(read.cases.empty());
+    std::string told;
+    for (const Diagnostic& finding : read.findings) told += to_text(finding) + '\n';
+    EXPECT_NE(told.find("found 2, allowed are 0 to 1"), std::string::npos) << told;
+    EXPECT_NE(told.find("surfaces[0]"), std::string::npos) << told;
+}
+
 }  // namespace
 }  // namespace hanei
