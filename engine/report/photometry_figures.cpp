@@ -132,6 +132,11 @@ std::vector<std::string> differences(const Photometry& photometry, const Photome
 }  // namespace
 
 PhotometryFigures photometry_figures(const Photometry& photometry) {
+    if (photometry.quarter_turns != 0) {
+        Photometry unturned = photometry;
+        unturned.quarter_turns = 0;
+        return photometry_figures(unturned);
+    }
     PhotometryFigures figures;
     figures.flux = luminous_flux(photometry);
     figures.zone_average_flux = zone_average_flux(photometry);

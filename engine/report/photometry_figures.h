@@ -42,6 +42,7 @@ struct PhotometryFigures {
     std::vector<std::string> differences;  ///< between declared and computed, one sentence each
 };
 
+/// Planes are the file's own: quarter turns against the housing change no figure.
 PhotometryFigures photometry_figures(const Photometry& photometry);
 
 }  // namespace hanei

@@ -26,6 +26,8 @@ enum class CommandId {
     nudge_up,
     nudge_lower,
     nudge_higher,
+    turn_object,
+    turn_intensities,
     add_point_luminaire,
     add_line_luminaire,
     add_panel_luminaire,

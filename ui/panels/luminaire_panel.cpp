@@ -1,5 +1,5 @@
-#include "engine/scene/intensity.h"
-#include "ui/panels/edit.h"
+#include "ui/panels/luminaire_edits.h"
+#include "ui/panels/photometry_rows.h"
 #include "ui/panels/properties.h"
 #include "ui/panels/property_rows.h"
 
@@ -11,15 +11,6 @@
 
 namespace hanei {
 namespace {
-
-const Photometry* photometry_of(const Scene& scene, const Luminaire& luminaire) {
-    const auto* measured = std::get_if<Measured>(&luminaire.distribution);
-    if (measured == nullptr) return nullptr;
-    for (const Photometry& photometry : scene.photometries) {
-        if (photometry.id == measured->photometry) return &photometry;
-    }
-    return nullptr;
-}
 
 /// The two half sides of an axis-aligned rectangle about the origin; empty for any other outline.
 std::optional<Vec2> rectangle_of(const PolygonOpening& opening) {
@@ -60,9 +51,11 @@ bool opening_rows(Luminaire& luminaire, Form& form) {
     return changed;
 }
 
-bool output_rows(Luminaire& luminaire, Form& form) {
+bool output_rows(Luminaire& luminaire, const Photometry* photometry, Form& form) {
     bool changed = false;
-    if (auto* flux = std::get_if<LuminousFlux>(&luminaire.output)) {
+    if (photometry != nullptr) {
+        changed |= flux_rows(luminaire, *photometry, form);
+    } else if (auto* flux = std::get_if<LuminousFlux>(&luminaire.output)) {
         changed |=
             form.number({"luminaire.flux", "Luminous flux", "lm", "Of the luminaire at full output", 0.0, 1e7, 10.0, 0},
                         flux->value);
@@ -100,17 +93,6 @@ bool distribution_row(Luminaire& luminaire, Form& form) {
     return true;
 }
 
-void photometry_rows(const Photometry& photometry, Form& form) {
-    form.heading("Photometric file");
-    form.fact("Luminaire", photometry.name.empty() ? photometry.source_file : photometry.name);
-    form.fact("File", photometry.source_file);
-    form.fact("Format", photometry.format);
-    form.fact("Flux", fmt::format("{:.0f}", luminous_flux(photometry).value), "lm");
-    form.fact("Peak", fmt::format("{:.0f}", peak_intensity(photometry).value), "cd");
-    if (photometry.input_watts > 0.0) form.fact("Power", fmt::format("{:.1f}", photometry.input_watts), "W");
-    for (const std::string& text : photometry.warnings) form.remark(text, true);
-}
-
 const char* opening_name(const Opening& opening) {
     constexpr std::array names{"Point", "Line", "Luminous area", "Luminous solid", "As its file says"};
     return names[opening.index()];
@@ -129,20 +111,24 @@ std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form
     form.fact("Opening", opening_name(luminaire.opening));
     changed |= opening_rows(luminaire, form);
     changed |= distribution_row(luminaire, form);
-    changed |= output_rows(luminaire, form);
+    changed |= output_rows(luminaire, photometry_of(scene, *found), form);
     form.heading("Place");
     changed |= place_rows("luminaire", luminaire.position, form);
     form.heading("Direction");
     changed |= angle_row(
         {"luminaire.yaw", "Turn", "°", "About the vertical, counter-clockwise from above", -360.0, 360.0, 0.5, 1},
         luminaire.yaw, form);
+    if (form.button("luminaire.turn", "Turn by 90°",
+                    "Housing and light together, about the vertical, counter-clockwise from above  (T)")) {
+        luminaire.yaw = turned_by_a_quarter(luminaire.yaw);
+        changed = true;
+    }
     changed |= angle_row({"luminaire.tilt", "Tilt", "°", "Turns the light towards plane C0", -180.0, 180.0, 0.5, 1},
                          luminaire.tilt, form);
     changed |= angle_row({"luminaire.roll", "Roll", "°", "About the luminaire's own x axis", -180.0, 180.0, 0.5, 1},
                          luminaire.roll, form);
     changed |=
         form.toggle("luminaire.opaque", "Hides things", "The opening hides what lies behind it", luminaire.opaque);
-    if (const Photometry* photometry = photometry_of(scene, luminaire)) photometry_rows(*photometry, form);
     if (!changed) return std::nullopt;
     Scene wished = scene;
     const std::string group_before = found->group;

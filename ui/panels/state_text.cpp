@@ -3,6 +3,7 @@
 #include "ui/panels/edit.h"
 
 #include <fmt/format.h>
+#include <numbers>
 
 namespace hanei {
 namespace {
@@ -25,6 +26,23 @@ std::string json_value(const std::string& text) {
     const bool figure = !text.empty() && text.find_first_not_of("0123456789.+-e") == std::string::npos &&
                         text.find_first_of("0123456789") != std::string::npos;
     return figure ? text : json_text(text);
+}
+
+/// What the chosen luminaire is measured to shine.
+void note_photometry(const Workbench& workbench, std::map<std::string, std::string>& state) {
+    const Scene& scene = *workbench.document().shown();
+    state["photometries"] = std::to_string(scene.photometries.size());
+    state["readout"] = workbench.photometry().readout();
+    const Luminaire* luminaire = find_luminaire(scene, workbench.chosen());
+    if (luminaire == nullptr) return;
+    state["yaw"] = fmt::format("{:.6f}", luminaire->yaw * 180.0 / std::numbers::pi);
+    const Photometry* photometry = photometry_of(scene, *luminaire);
+    if (photometry == nullptr) return;
+    const auto* flux = std::get_if<LuminousFlux>(&luminaire->output);
+    state["photometry"] = photometry->name;
+    state["flux"] = flux != nullptr ? fmt::format("{}", flux->value) : "as measured";
+    state["quarter turns"] = std::to_string(photometry->quarter_turns);
+    state["lamp set"] = std::to_string(photometry->lamp_set);
 }
 
 const char* truth(bool value) { return value ? "true" : "false"; }
@@ -63,6 +81,7 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
         state["selected.y"] = fmt::format("{}", place->y);
         state["selected.z"] = fmt::format("{}", place->z);
     }
+    note_photometry(workbench, state);
     if (!study.solution()) return state;
     const Solution& solution = *study.solution();
     state["converged"] = truth(solution.converged);

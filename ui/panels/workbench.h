@@ -8,6 +8,7 @@
 #include "ui/panels/file_browser.h"
 #include "ui/panels/form.h"
 #include "ui/panels/live_study.h"
+#include "ui/panels/photometry_panel.h"
 #include "ui/panels/viewport.h"
 
 namespace hanei {
@@ -41,6 +42,7 @@ public:
     const WidgetRegistry& widgets() const { return widgets_; }
     const Dialogs& dialogs() const { return dialogs_; }
     const FileBrowser& browser() const { return browser_; }
+    const PhotometryPanel& photometry() const { return photometry_; }
     const std::string& message() const { return message_; }
     bool is_snapping() const { return snaps_; }
     long frames() const { return frames_; }
@@ -59,6 +61,8 @@ private:
     void left(const ScreenRect& area);
     void right(const ScreenRect& area);
     void bottom(const ScreenRect& area);
+    void properties_tab();
+    void photometry_tab();
     void status_line(const ScreenRect& area);
 
     void open_file();
@@ -66,6 +70,7 @@ private:
     void save(bool under_new_name, std::function<void()> then = nullptr);
     void write(const std::filesystem::path& file, const std::function<void()>& then);
     void add_luminaire_file();
+    void replace_luminaire_file();
     void ask_for_picture();
     void guarded(std::function<void()> then);  ///< asks about unsaved changes first
     std::filesystem::path folder() const;
@@ -77,6 +82,7 @@ private:
     Viewport viewport_;
     WidgetRegistry widgets_;
     Form form_{widgets_};
+    PhotometryPanel photometry_;
     Dialogs dialogs_;
     FileBrowser browser_;
 

@@ -87,25 +87,43 @@ void Workbench::left(const ScreenRect& area) {
     end_panel();
 }
 
+void Workbench::properties_tab() {
+    const SceneSnapshot scene = document_.shown();
+    const ObjectKind kind = kind_of(*scene, selected_);
+    ImGui::Dummy({0.0F, 2.0F * style::scale()});
+    if (kind == ObjectKind::none)
+        headline("Project", "");
+    else
+        headline(display_name(*scene, selected_), name_of(kind));
+    ImGui::PushID(static_cast<int>(selected_.value));
+    form_.begin("properties");
+    std::optional<Scene> wished = object_panel(*scene, selected_, form_);
+    form_.end();
+    ImGui::PopID();
+    if (wished) propose(std::move(*wished), step_name(*scene, selected_));
+}
+
+void Workbench::photometry_tab() {
+    ImGui::PushID(static_cast<int>(selected_.value));
+    PhotometryPanel::Outcome outcome = photometry_.draw(*document_.shown(), selected_, form_);
+    ImGui::PopID();
+    if (outcome.edit) propose(std::move(outcome.edit->scene), std::move(outcome.edit->step));
+    if (outcome.replaces_file) replace_luminaire_file();
+}
+
 void Workbench::right(const ScreenRect& area) {
     begin_panel("##right", area);
     movable_edge(Edge::left, area, right_width_, 220.0F, 520.0F);
     if (ImGui::BeginTabBar("sides")) {
         if (begin_tab("Properties", widgets_)) {
             ImGui::BeginChild("fields");
-            const SceneSnapshot scene = document_.shown();
-            const ObjectKind kind = kind_of(*scene, selected_);
-            ImGui::Dummy({0.0F, 2.0F * style::scale()});
-            if (kind == ObjectKind::none)
-                headline("Project", "");
-            else
-                headline(display_name(*scene, selected_), name_of(kind));
-            ImGui::PushID(static_cast<int>(selected_.value));
-            form_.begin("properties");
-            std::optional<Scene> wished = object_panel(*scene, selected_, form_);
-            form_.end();
-            ImGui::PopID();
-            if (wished) propose(std::move(*wished), step_name(*scene, selected_));
+            properties_tab();
+            ImGui::EndChild();
+            ImGui::EndTabItem();
+        }
+        if (begin_tab("Photometry", widgets_)) {
+            ImGui::BeginChild("photometry");
+            photometry_tab();
             ImGui::EndChild();
             ImGui::EndTabItem();
         }

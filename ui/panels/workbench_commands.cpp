@@ -34,6 +34,12 @@ bool Workbench::can(CommandId id) const {
         case CommandId::nudge_higher:
         case CommandId::look_at_selection:
             return place_of(*document_.shown(), selected_).has_value();
+        case CommandId::turn_object:
+            return kind == ObjectKind::luminaire || kind == ObjectKind::furniture;
+        case CommandId::turn_intensities: {
+            const Luminaire* luminaire = find_luminaire(*document_.shown(), selected_);
+            return luminaire != nullptr && photometry_of(*document_.shown(), *luminaire) != nullptr;
+        }
         case CommandId::fit_range:
         case CommandId::export_picture:
             return study_.solution() != nullptr;
@@ -99,6 +105,16 @@ void Workbench::carry_out(CommandId id) {
             return nudge({0.0, 0.0, -1.0});
         case CommandId::nudge_higher:
             return nudge({0.0, 0.0, 1.0});
+        case CommandId::turn_object:
+            document_.commit(turned_by_a_quarter(scene, selected_),
+                             "Turn " + std::string(name_of(kind_of(scene, selected_))) + " by 90 degrees");
+            return;
+        case CommandId::turn_intensities: {
+            Photometry turned = turned_by_a_quarter(*photometry_of(scene, *find_luminaire(scene, selected_)));
+            document_.commit(with_photometry(scene, selected_, std::move(turned), photometry_.reaches_all()),
+                             "Turn intensities by 90 degrees");
+            return;
+        }
         case CommandId::add_point_luminaire:
             return add(with_point_luminaire(scene), "Add point luminaire");
         case CommandId::add_line_luminaire:

@@ -67,6 +67,18 @@ void Workbench::add_luminaire_file() {
         });
 }
 
+void Workbench::replace_luminaire_file() {
+    browser_.open({"Use another luminaire file", "Use", {".ies", ".ldt"}, false, folder(), ""},
+                  [this](const std::filesystem::path& file) {
+                      Opened<Photometry> opened = door_.read_luminaire(file);
+                      if (!opened.content)
+                          return dialogs_.show_findings("This luminaire file cannot be used", opened.findings);
+                      document_.commit(
+                          with_other_file(*document_.shown(), selected_, *opened.content, photometry_.reaches_all()),
+                          "Use another luminaire file");
+                  });
+}
+
 void Workbench::ask_for_picture() {
     browser_.open({"Export the picture", "Export", {".png"}, true, folder(), document_.title() + ".png"},
                   [this](const std::filesystem::path& file) { picture_ = file; });
