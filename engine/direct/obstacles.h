@@ -24,12 +24,10 @@ struct Obstacles {
         found.clear();
         if (!occluders || occluders->empty()) return;
         if (among) {
-            occluders->between(eye, points, *among, found);
+            occluders->between(eye, points, *among, found, own_body);
         } else {
-            occluders->between(eye, points, found);
+            occluders->between(eye, points, found, own_body);
         }
-        if (own_body == 0) return;
-        std::erase_if(found, [&](BodyIndex body) { return occluders->bodies()[body].owner == own_body; });
     }
 };
 

@@ -1,5 +1,6 @@
 #include "engine/geometry/hidden_region.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -69,7 +70,46 @@ private:
     bool any_before_ = false;
 };
 
+/// Every sight line runs deeper than `margin` through the solid before it ends.
+bool solid_hides_all(const BodyShape& shape, const Vec3& eye, std::span<const Vec3> points, double margin) {
+    return std::ranges::all_of(points, [&](const Vec3& point) {
+        const Vec3 along = point - eye;
+        double enters = 0.0, leaves = 1.0;
+        for (const BodyFace& face : shape.faces) {
+            const double start = face.height(eye) + margin;
+            const double change = glm::dot(along, face.normal);
+            if (start >= 0.0 && start + change >= 0.0) return false;
+            if (change < 0.0) enters = std::max(enters, -start / change);
+            if (change > 0.0) leaves = std::min(leaves, -start / change);
+            if (enters >= leaves) return false;
+        }
+        return true;
+    });
+}
+
+/// All points lie beyond the sheet, and inside the planes through the eye and its edges.
+bool sheet_hides_all(const BodyShape& shape, const Vec3& eye, std::span<const Vec3> points, double margin) {
+    const double height = shape.faces[0].height(eye);
+    if (std::abs(height) <= margin) return false;
+    const double front = height > 0.0 ? 1.0 : -1.0;
+    const auto beyond = [&](const Vec3& point) { return front * shape.faces[0].height(point) < -margin; };
+    if (!std::ranges::all_of(points, beyond)) return false;
+    return std::ranges::all_of(shape.edges, [&](const BodyEdge& edge) {
+        const HalfSpace plane = silhouette_plane(edge, eye, height > 0.0);
+        const Vec3 size = glm::abs(plane.outward);
+        const double slack = margin * (size.x + size.y + size.z);
+        return std::ranges::all_of(points,
+                                   [&](const Vec3& point) { return glm::dot(plane.outward, point - eye) < -slack; });
+    });
+}
+
 }  // namespace
+
+bool hides_all(const BodyShape& shape, const Vec3& eye, std::span<const Vec3> points, double margin) {
+    if (shape.faces.empty()) return false;
+    return shape.flat ? sheet_hides_all(shape, eye, points, margin)
+                      : solid_hides_all(shape, eye, points, margin);
+}
 
 Hides hidden_region(const BodyShape& shape, const Vec3& eye, const Vec3& beside, double same_place,
                     std::vector<HalfSpace>& planes) {

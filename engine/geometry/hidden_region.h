@@ -3,6 +3,7 @@
 
 #include "engine/geometry/body_shape.h"
 
+#include <span>
 #include <vector>
 
 namespace hanei {
@@ -28,5 +29,9 @@ enum class Hides { nothing, everything, region };
 /// Returns   the half-spaces in `planes` (overwritten) when the answer is `region`.
 Hides hidden_region(const BodyShape& shape, const Vec3& eye, const Vec3& beside, double same_place,
                     std::vector<HalfSpace>& planes);
+
+/// True when the body hides all of the hull of `points`, by `margin` at least: what a convex body hides
+/// is convex, so their corners decide.
+bool hides_all(const BodyShape& shape, const Vec3& eye, std::span<const Vec3> points, double margin);
 
 }  // namespace hanei

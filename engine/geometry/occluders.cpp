@@ -1,17 +1,22 @@
 #include "engine/geometry/occluders.h"
 
 #include "engine/base/tolerance.h"
-#include "engine/geometry/pyramid.h"
-#include "engine/geometry/shaft.h"
+#include "engine/geometry/enclosure.h"
+#include "engine/geometry/hidden_region.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 namespace hanei {
 
 namespace {
+
+/// A body that hides all by this many times the distance under which places are one hides it in every
+/// later test as well, whatever that rounds.
+constexpr double clearly = 4.0;
 
 /// Asking more bodies than this one by one takes longer than going down the tree.
 constexpr std::size_t most_in_a_row = 64;
@@ -66,6 +71,18 @@ bool body_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, do
     return shape.flat ? flat_blocks(shape, from, along, depth) : solid_blocks(shape, from, along, depth);
 }
 
+/// The body that hid everything when this thread last looked from somewhere at a polygon that begins
+/// here: a neighbour's view likely ends in it too. A guess to try first; no answer depends on it.
+BodyIndex& likely_umbra(const OccluderSet& set, const Vec3& first_corner) {
+    constexpr std::size_t views = 256;
+    thread_local std::array<BodyIndex, views> last{};
+    std::uint64_t key = std::bit_cast<std::uintptr_t>(&set);
+    for (const double coordinate : {first_corner.x, first_corner.y, first_corner.z}) {
+        key = (key ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9E3779B97F4A7C15U;
+    }
+    return last[key >> 56U];
+}
+
 }  // namespace
 
 OccluderSet::OccluderSet(std::vector<ConvexBody> bodies) : bodies_(std::move(bodies)) {
@@ -77,21 +94,47 @@ OccluderSet::OccluderSet(std::vector<ConvexBody> bodies) : bodies_(std::move(bod
     tree_ = BodyTree(boxes);
 }
 
-void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::vector<BodyIndex>& found) const {
+bool OccluderSet::hides(BodyIndex body, const Vec3& eye, std::span<const Vec3> points, std::uint32_t own) const {
+    if (own != 0 && bodies_[body].owner == own) return false;
+    return hides_all(shapes_[body], eye, points, clearly * same_place_);
+}
+
+void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::vector<BodyIndex>& found,
+                          std::uint32_t own) const {
     if (points.empty() || bodies_.empty()) return;
-    const Pyramid pyramid(eye, points, same_place_);
+    BodyIndex& likely = likely_umbra(*this, points[0]);
+    if (likely < bodies_.size() && hides(likely, eye, points, own)) return found.push_back(likely);
+    Enclosure pyramid;
+    enclose_pyramid(eye, points, same_place_, pyramid);
     const auto start = static_cast<std::ptrdiff_t>(found.size());
-    tree_.visit([&](const Box& box) { return pyramid.may_touch(box); }, [&](BodyIndex body) { found.push_back(body); });
+    tree_.visit(pyramid, [&](BodyIndex body) {
+        if (own != 0 && bodies_[body].owner == own) return true;
+        const bool umbra = hides_all(shapes_[body], eye, points, clearly * same_place_);
+        if (umbra) found.resize(static_cast<std::size_t>(start)), likely = body;
+        found.push_back(body);
+        return !umbra;
+    });
     std::sort(found.begin() + start, found.end());
 }
 
 void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::span<const BodyIndex> among,
-                          std::vector<BodyIndex>& found) const {
+                          std::vector<BodyIndex>& found, std::uint32_t own) const {
     if (points.empty() || among.empty()) return;
-    if (among.size() > most_in_a_row) return between(eye, points, found);
-    const Pyramid pyramid(eye, points, same_place_);
+    if (among.size() > most_in_a_row) return between(eye, points, found, own);
+    BodyIndex& likely = likely_umbra(*this, points[0]);
+    if (likely < bodies_.size() && hides(likely, eye, points, own)) return found.push_back(likely);
+    Enclosure pyramid;
+    enclose_pyramid(eye, points, same_place_, pyramid);
+    const std::size_t start = found.size();
     for (const BodyIndex body : among) {
-        if (pyramid.may_touch(shapes_[body].box)) found.push_back(body);
+        if (!pyramid.may_reach(shapes_[body].box)) continue;
+        if (own != 0 && bodies_[body].owner == own) continue;
+        if (hides_all(shapes_[body], eye, points, clearly * same_place_)) {
+            likely = body;
+            found.resize(start);
+            return found.push_back(body);
+        }
+        found.push_back(body);
     }
 }
 
@@ -106,17 +149,22 @@ void OccluderSet::between(const Box& eyes, std::span<const Vec3> points, std::ve
                                           high,
                                           {high.x, low.y, high.z},
                                           {low.x, low.y, high.z}}};
-    const Shaft shaft(corners, points, -same_place_);  // bodies that only touch it count, as for one eye
-    const auto start = static_cast<std::ptrdiff_t>(found.size());
-    tree_.visit([&](const Box& box) { return shaft.may_reach(box); }, [&](BodyIndex body) { found.push_back(body); });
-    std::sort(found.begin() + start, found.end());
+    in_shaft(corners, points, -same_place_, found);  // bodies that only touch it count, as for one eye
 }
 
 void OccluderSet::between(std::span<const Vec3> from, std::span<const Vec3> to, std::vector<BodyIndex>& found) const {
-    if (from.empty() || to.empty() || bodies_.empty()) return;
-    const Shaft shaft(from, to, same_place_);
+    if (!from.empty() && !to.empty() && !bodies_.empty()) in_shaft(from, to, same_place_, found);
+}
+
+void OccluderSet::in_shaft(std::span<const Vec3> from, std::span<const Vec3> to, double touching,
+                           std::vector<BodyIndex>& found) const {
+    Enclosure shaft;
+    enclose_shaft(from, to, touching, shaft);
     const auto start = static_cast<std::ptrdiff_t>(found.size());
-    tree_.visit([&](const Box& box) { return shaft.may_reach(box); }, [&](BodyIndex body) { found.push_back(body); });
+    tree_.visit(shaft, [&](BodyIndex body) {
+        if (shaft.may_reach(shapes_[body].box)) found.push_back(body);
+        return true;
+    });
     std::sort(found.begin() + start, found.end());
 }
 
@@ -134,15 +182,15 @@ bool OccluderSet::blocks(const Vec3& from, const Vec3& to, std::span<const BodyI
 
 int OccluderSet::containing(const Vec3& place) const {
     int first = -1;
-    const auto holds = [&](const Box& box) {
-        return glm::all(glm::lessThanEqual(box.low, place)) && glm::all(glm::greaterThanEqual(box.high, place));
-    };
-    tree_.visit(holds, [&](BodyIndex body) {
+    Enclosure here;
+    here.bounds = {place, place};
+    tree_.visit(here, [&](BodyIndex body) {
         const BodyShape& shape = shapes_[body];
-        if (shape.flat || shape.faces.empty()) return;
+        if (shape.flat || shape.faces.empty()) return true;
         const bool inside =
             std::ranges::all_of(shape.faces, [&](const BodyFace& face) { return face.height(place) < -same_place_; });
         if (inside && (first < 0 || static_cast<int>(body) < first)) first = static_cast<int>(body);
+        return true;
     });
     return first;
 }

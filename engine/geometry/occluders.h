@@ -37,8 +37,11 @@ public:
     std::span<const ConvexBody> bodies() const { return bodies_; }
 
     /// Bodies that may hide part of the convex hull of `points` (a polygon, a line, one point) from
-    /// `eye`: none is missed, a few too many may be named. Appends to `found`, in ascending order.
-    void between(const Vec3& eye, std::span<const Vec3> points, std::vector<BodyIndex>& found) const;
+    /// `eye`: none is missed, a few too many may be named. Where one body is found to hide all of it,
+    /// that one alone is named. Bodies of the owner `own` are left out (0: none is).
+    /// Appends to `found`, in ascending order.
+    void between(const Vec3& eye, std::span<const Vec3> points, std::vector<BodyIndex>& found,
+                 std::uint32_t own = 0) const;
 
     /// Bodies that may hide something of `to` from some place of `from` (points of convex polygons):
     /// none is missed. When none is found, everything sees everything. Appends in ascending order.
@@ -46,7 +49,7 @@ public:
 
     /// The same among bodies known to be all that can be in the way (ascending).
     void between(const Vec3& eye, std::span<const Vec3> points, std::span<const BodyIndex> among,
-                 std::vector<BodyIndex>& found) const;
+                 std::vector<BodyIndex>& found, std::uint32_t own = 0) const;
 
     /// Bodies that `between` may name for any eye in the box. Appends in ascending order.
     void between(const Box& eyes, std::span<const Vec3> points, std::vector<BodyIndex>& found) const;
@@ -64,6 +67,10 @@ public:
     double same_place() const { return same_place_; }
 
 private:
+    void in_shaft(std::span<const Vec3> from, std::span<const Vec3> to, double touching,
+                  std::vector<BodyIndex>& found) const;
+    bool hides(BodyIndex body, const Vec3& eye, std::span<const Vec3> points, std::uint32_t own) const;
+
     std::vector<ConvexBody> bodies_;
     std::vector<BodyShape> shapes_;
     BodyTree tree_;

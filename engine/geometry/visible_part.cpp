@@ -30,30 +30,9 @@ void see_from(const Vec3& eye, std::span<const Vec3> polygon, std::vector<Vec3>&
     for (std::size_t k = 0; k < polygon.size(); ++k) seen[k] = polygon[k] - eye;
 }
 
-/// True when one body hides every corner, and so (what a convex body hides is convex) all of it.
-bool hides_all(const BodyShape& shape, const Vec3& eye, std::span<const Vec3> seen, double same_place) {
-    if (shape.flat || shape.faces.empty()) return false;
-    return std::ranges::all_of(seen, [&](const Vec3& corner) {
-        double enters = 0.0, leaves = 1.0;
-        for (const BodyFace& face : shape.faces) {
-            const double start = face.height(eye) + same_place;
-            const double change = glm::dot(corner, face.normal);
-            if (start >= 0.0 && start + change >= 0.0) return false;
-            if (change < 0.0) enters = std::max(enters, -start / change);
-            if (change > 0.0) leaves = std::min(leaves, -start / change);
-            if (enters >= leaves) return false;
-        }
-        return true;
-    });
-}
-
 /// False when nothing of the polygon is left.
 bool subtract_bodies(Scratch& memory, const Vec3& eye, const Vec3& beside, const OccluderSet& occluders,
                      std::span<const BodyIndex> candidates) {
-    const bool in_umbra = std::ranges::any_of(candidates, [&](BodyIndex body) {
-        return hides_all(occluders.shape(body), eye, memory.seen, occluders.same_place());
-    });
-    if (in_umbra) return false;
     for (const BodyIndex body : candidates) {
         const Hides hides = hidden_region(occluders.shape(body), eye, beside, occluders.same_place(), memory.planes);
         if (hides == Hides::everything) return false;

@@ -131,5 +131,62 @@ TEST(Occluders, a_desk_does_not_stand_between_its_own_top_and_the_ceiling) {
     EXPECT_EQ(found.size(), 1U);
 }
 
+TEST(Occluders, a_body_that_hides_all_of_an_opening_is_named_alone) {
+    const OccluderSet set({box_body({-0.1, -0.1, 2}, {0.1, 0.1, 2.1}), box_body({-5, -5, 1}, {5, 5, 1.1}),
+                           sheet(facing_up(-4, -4, 4, 4, 0.5))});
+    const Polygon opening = facing_down(-0.6, -0.3, 0.6, 0.3, 2.8);
+    std::vector<BodyIndex> found;
+    set.between({0, 0, 0.7}, opening, found);
+    EXPECT_EQ(found, std::vector<BodyIndex>{1});
+    found.clear();
+    set.between({0, 0, 1.5}, opening, found);
+    EXPECT_EQ(found, std::vector<BodyIndex>{0});
+    for (const double z : {0.0, 0.2}) {  // under both the box and the sheet: either hides it
+        found.clear();
+        set.between({0, 0, z}, opening, found);
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_GE(found[0], 1U);
+    }
+}
+
+TEST(Occluders, a_source_s_own_body_is_left_out_and_hides_nothing_of_it) {
+    ConvexBody own = box_body({-1, -1, 1}, {1, 1, 1.5});
+    own.owner = 7;
+    const OccluderSet set({own, box_body({-0.1, -0.1, 2}, {0.1, 0.1, 2.1})});
+    const Polygon opening = facing_down(-0.6, -0.3, 0.6, 0.3, 2.8);
+    const std::vector<BodyIndex> all{0, 1};
+    for (int k = 0; k < 2; ++k) {  // also when the last look ended in that body
+        std::vector<BodyIndex> found;
+        set.between({0, 0, 0}, opening, found);
+        EXPECT_EQ(found, std::vector<BodyIndex>{0});
+        found.clear();
+        set.between({0, 0, 0}, opening, found, 7);
+        EXPECT_EQ(found, std::vector<BodyIndex>{1});
+        found.clear();
+        set.between({0, 0, 0}, opening, all, found, 7);
+        EXPECT_EQ(found, std::vector<BodyIndex>{1});
+    }
+}
+
+TEST(Occluders, bodies_from_a_millimetre_to_a_kilometre_are_all_found) {
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+        Dice dice(21);
+        std::vector<ConvexBody> bodies;
+        const Vec3 far_away = 1e4 * scale * dice.direction();
+        for (int k = 0; k < 200; ++k) {
+            const Vec3 low = scale * dice.place(5) + far_away;
+            bodies.push_back(box_body(low, low + scale * Vec3{dice.uniform(0.001, 0.9), dice.uniform(0.05, 0.6), 0.4}));
+        }
+        for (int k = 0; k < 20; ++k) bodies.push_back(bodies[0]);  // all at one place
+        const OccluderSet set(std::move(bodies));
+        std::vector<BodyIndex> everything(set.bodies().size());
+        for (std::size_t k = 0; k < everything.size(); ++k) everything[k] = static_cast<BodyIndex>(k);
+        for (int k = 0; k < 500; ++k) {
+            const Vec3 from = scale * dice.place(6) + far_away, to = scale * dice.place(6) + far_away;
+            EXPECT_EQ(set.blocks(from, to), set.blocks(from, to, everything)) << scale;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace hanei
