@@ -20,22 +20,36 @@ public:
     bool empty() const { return pieces_.empty(); }
     bool untouched() const { return untouched_; }
     std::size_t size() const { return pieces_.size(); }
-    std::span<const Vec3> operator[](std::size_t k) const {
-        return {points_.data() + pieces_[k].first, pieces_[k].count};
-    }
+    std::span<const Vec3> operator[](std::size_t k) const { return points_of(pieces_[k]); }
 
 private:
     struct Range {
         std::size_t first = 0, count = 0;
+        Vec3 centre{0.0};      ///< of a ball that holds the points
+        double radius = -1.0;  ///< below zero: not measured yet
     };
-    double slack_of(const HalfSpace& plane) const;
-    bool loses_nothing(std::span<const Vec3> piece, std::span<const HalfSpace> hidden) const;
-    void cut(std::span<const Vec3> piece, std::span<const HalfSpace> hidden);
+    struct Plane {
+        Vec3 outward;
+        double reach;
+        double size;      ///< of its direction, no less than its length
+        double rounding;  ///< of heights over it
+        double slack;     ///< a place must be deeper than this to be inside
+    };
+    enum class Side { inside, both, outside };
+
+    std::span<const Vec3> points_of(const Range& piece) const { return {points_.data() + piece.first, piece.count}; }
+    void measure(Range& piece) const;
+    void prepare(std::span<const HalfSpace> hidden);
+    Side side_of(std::span<const Vec3> piece, const Plane& plane);
+    bool find_cuts(Range& piece);
+    void cut(const Range& piece);
     void split_rest(double on_plane);
-    void keep(std::span<const Vec3> piece);
+    void keep(const Range& piece);
 
     std::vector<Vec3> points_, next_points_, rest_, inside_;
     std::vector<Range> pieces_, next_pieces_;
+    std::vector<Plane> planes_;
+    std::vector<const Plane*> cuts_;
     std::vector<double> heights_;
     double rounding_ = 0.0;
     bool untouched_ = true;

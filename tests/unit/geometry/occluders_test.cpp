@@ -10,6 +10,7 @@ namespace {
 
 using testing::box_body;
 using testing::Dice;
+using testing::facing_down;
 using testing::facing_up;
 using testing::sheet;
 
