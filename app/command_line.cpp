@@ -122,6 +122,12 @@ void add_render(CLI::App& app, Arguments& arguments) {
     command->add_option("--low", request.low, "Lower end of the colour scale (lx)")->check(CLI::PositiveNumber);
     command->add_option("--high", request.high, "Upper end of the colour scale (lx)")->check(CLI::PositiveNumber);
     command->add_flag("--plain", request.plain, "No legend and no caption");
+    command->add_flag("--exact", request.exact,
+                      "Direct light exact at every pixel and smooth edges of objects and shadows: takes seconds");
+    command
+        ->add_option("--samples", request.samples,
+                     "Rays a pixel where neighbours differ, with --exact; 1: one everywhere")
+        ->check(CLI::Range(1, 256));
     arguments.common.add_to(*command);
 }
 

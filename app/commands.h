@@ -31,6 +31,8 @@ struct RenderRequest {
     std::string steps = "log";        ///< log, linear, en
     std::optional<double> low, high;  ///< lx
     bool plain = false;               ///< no legend, no caption
+    bool exact = false;               ///< direct light exact at every pixel
+    int samples = 16;                 ///< rays a pixel at edges, when exact
     SettingsChange change;
 };
 int render_command(const RenderRequest& request);

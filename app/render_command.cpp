@@ -1,10 +1,15 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/interrupt.h"
+#include "app/progress_line.h"
+#include "engine/base/tiles.h"
 #include "engine/study/study.h"
+#include "ui/panels/exact_room.h"
 #include "ui/view/offscreen.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <optional>
 
@@ -42,14 +47,60 @@ void print_unknown_view(const RenderRequest& request, const Scene& scene) {
     std::fputs("\n", stderr);
 }
 
+/// What the light reaches, unless the ends of the scale are given; false when those are no range.
+bool choose_range(const RenderRequest& request, const Solution& solution, LuxRange& range) {
+    range = suggested_range(solution);
+    if (request.low) range.low = *request.low;
+    if (request.high) range.high = *request.high;
+    if (range.low < range.high) return true;
+    std::fprintf(stderr, "--low, --high: %g to %g lx is no range; low must be less than high\n", range.low, range.high);
+    return false;
+}
+
+SolutionSnapshot solved(const SceneSnapshot& scene, const Settings& settings, const StudyRequest& wanted,
+                        const std::stop_token& stop) {
+    Progress progress;
+    const ProgressLine line(progress);
+    Study study;
+    return study.run(scene, settings, wanted, Work{1, stop, &progress});
+}
+
+/// Null when stopped.
+std::shared_ptr<const ExactPicture> exact_room_of(const SolutionSnapshot& solution, const ExactRequest& request,
+                                                  int threads, const std::stop_token& stop) {
+    using Clock = std::chrono::steady_clock;
+    const auto begun = Clock::now();
+    std::shared_ptr<const ExactPicture> room;
+    {
+        Progress progress;
+        const ProgressLine line(progress);
+        room = exact_room(solution, request, {threads > 0 ? threads : hardware_threads(), stop, &progress});
+    }
+    if (!room) return nullptr;
+    std::fprintf(stderr, "direct light exact at %zu pixels, %zu of them with %d rays: %.2f s\n",
+                 room->values.lux.size(), room->refined, request.samples,
+                 std::chrono::duration<double>(Clock::now() - begun).count());
+    return room;
+}
+
+/// The program ends here by the user's signal: nothing was written.
+int ended_by(Interrupt& interrupt) {
+    interrupt.pass_on();
+    return exit_machine;
+}
+
 }  // namespace
 
 int render_command(const RenderRequest& request) {
+    const bool four_up = request.part == "four-up";
+    if (four_up && request.exact) {
+        std::fputs("--exact: not for --part four-up; ask for the four parts one by one\n", stderr);
+        return exit_bad_input;
+    }
     auto project = open_project(request.project);
     if (!project) return exit_bad_input;
     request.change(project->settings);
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
-    const bool four_up = request.part == "four-up";
     PictureRequest picture;
     picture.options = options_for(request);
     picture.size = {request.width, request.height};
@@ -61,21 +112,20 @@ int render_command(const RenderRequest& request) {
     }
     picture.camera = *camera;
 
-    Study study;
     StudyRequest wanted{.display = true};
     wanted.unshadowed = four_up || picture.options.part == LightPart::unshadowed;
-    const SolutionSnapshot solution = study.run(scene, project->settings, wanted, Work{});
-    picture.options.range = suggested_range(*solution);
-    if (request.low) picture.options.range.low = *request.low;
-    if (request.high) picture.options.range.high = *request.high;
-    if (!(picture.options.range.low < picture.options.range.high)) {
-        std::fprintf(stderr, "--low, --high: %g to %g lx is no range; low must be less than high\n",
-                     picture.options.range.low, picture.options.range.high);
-        return exit_bad_input;
+    Interrupt interrupt;
+    const SolutionSnapshot solution = solved(scene, project->settings, wanted, interrupt.token());
+    if (!solution) return ended_by(interrupt);
+    if (!choose_range(request, *solution, picture.options.range)) return exit_bad_input;
+    if (request.exact) {
+        const ExactRequest exact{picture.camera, picture.options, view_size(picture), request.samples};
+        picture.exact = exact_room_of(solution, exact, project->settings.threads, interrupt.token());
+        if (!picture.exact) return ended_by(interrupt);
     }
-
     const OffscreenContext context;
     const Image image = four_up ? render_four_up(solution, picture) : render_picture(solution, picture);
+    if (interrupt.came()) return ended_by(interrupt);
     write_png(image, request.out, {{"Title", scene->title}, {"Software", "Hanei " HANEI_VERSION}});
     return exit_done;
 }

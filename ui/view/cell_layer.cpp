@@ -1,10 +1,10 @@
 #include "ui/view/cell_field.h"
 #include "ui/view/colour_scale.h"
 #include "ui/view/layers.h"
+#include "ui/view/tone.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <shaders.h>
 
 namespace hanei {
@@ -50,21 +50,6 @@ std::vector<float> shader_array(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-double automatic_exposure(const Solution& solution) {
-    constexpr double mean_shown = 0.78;  // before the shoulder: 0.43 of white after it, a light grey
-    double flux = 0.0, area = 0.0;
-    const PerPatch<double> reflectance = reflectances(*solution.mesh, *solution.scene);
-    for (const DisplayCell& cell : solution.display->cells) {
-        const std::array<double, 4> lux = corner_values(*solution.display, cell, LightPart::total);
-        const CellFrame frame = frame_of(solution, cell);
-        const Vec2 a = frame.corner[2], b = frame.corner[3] - frame.corner[1];
-        const double size = std::abs(0.5 * (a.x * b.y - a.y * b.x)) * (frame.triangle ? 0.5 : 1.0);
-        flux += size * reflectance[PatchId{cell.patch}] * bilinear(lux, Vec2(0.5)) / std::numbers::pi;
-        area += size;
-    }
-    return flux > 0.0 ? mean_shown * area / flux : 1.0;
-}
 
 CellLayer::CellLayer() : program_(shaders::cell_vert, shaders::cell_frag) {
     cells_.layout(sizeof(CellVertex), {{0, 3, offsetof(CellVertex, position)},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/view/gl_objects.h"
+#include "ui/view/image.h"
 #include "ui/view/marks.h"
 
 namespace hanei {
@@ -36,6 +37,22 @@ private:
     SolutionSnapshot solution_;
     LightPart loaded_ = LightPart::total;
     double automatic_exposure_ = 1.0;
+};
+
+/// A finished picture of the room in place of its cells.
+class PictureLayer {
+public:
+    PictureLayer();
+    ~PictureLayer();
+    PictureLayer(const PictureLayer&) = delete;
+    PictureLayer& operator=(const PictureLayer&) = delete;
+
+    void draw(const Image& picture);
+
+private:
+    gl::Program program_;
+    gl::Vertices corners_;
+    GLuint texture_ = 0;
 };
 
 /// Plain surfaces.
@@ -82,9 +99,5 @@ private:
     gl::Program program_;
     gl::Vertices vertices_;
 };
-
-/// Displayed value per cd/m2 so that the room's mean luminance comes out in the middle of the
-/// picture's greys. From the total light whatever part is shown, so that pictures compare.
-double automatic_exposure(const Solution& solution);
 
 }  // namespace hanei

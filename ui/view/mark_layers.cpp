@@ -79,6 +79,28 @@ void DotLayer::draw(const Pass& pass) const {
     vertices_.draw_points();
 }
 
+PictureLayer::PictureLayer() : program_(shaders::picture_vert, shaders::picture_frag) {
+    corners_.fill(std::vector<glm::vec3>(3));
+    glGenTextures(1, &texture_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+PictureLayer::~PictureLayer() { glDeleteTextures(1, &texture_); }
+
+void PictureLayer::draw(const Image& picture) {
+    program_.use();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 picture.rgba.data());
+    program_.set("picture", 0);
+    corners_.draw_triangles();
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
 Background::Background() : program_(shaders::background_vert, shaders::background_frag) {
     vertices_.fill(std::vector<glm::vec3>(3));
 }

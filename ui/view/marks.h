@@ -55,7 +55,8 @@ std::vector<LineMark> patch_edges(const Mesh& mesh);
 /// Luminous openings as they shine in the picture.
 struct LuminaireMarks {
     std::vector<SolidVertex> openings;
-    std::vector<LineMark> lines;
+    std::vector<LineMark> outlines;  ///< of openings
+    std::vector<LineMark> tubes;
     std::vector<DotMark> dots;
 };
 LuminaireMarks luminaire_marks(const Scene& scene);

@@ -1,6 +1,7 @@
 /// OpenGL without a display: EGL surfaceless, else OSMesa (opened at run time).
 #pragma once
 
+#include "ui/view/exact_picture.h"
 #include "ui/view/image.h"
 #include "ui/view/renderer.h"
 
@@ -34,6 +35,8 @@ struct PictureRequest {
     PixelSize size{1280, 800};
     bool annotated = true;
     std::string caption;  ///< empty: title, part, settings and error of the solution
+    /// The room in this camera and with these options, of view_size; null: as the window shows it.
+    std::shared_ptr<const ExactPicture> exact = nullptr;
 };
 
 /// Part of the picture that shows the room; the rest is legend and caption. Fit cameras to its

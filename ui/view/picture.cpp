@@ -31,9 +31,10 @@ Page page_of(const PictureRequest& request) {
     return page;
 }
 
-Image drawn(Renderer& renderer, const Camera& camera, const ViewOptions& look, PixelSize size) {
+Image drawn(Renderer& renderer, const Camera& camera, const ViewOptions& look, PixelSize size,
+            const Image* room = nullptr) {
     Frame frame(size);
-    renderer.draw(camera, look, Highlights{}, size);
+    renderer.draw(camera, look, Highlights{}, size, room);
     return frame.read();
 }
 
@@ -101,7 +102,8 @@ Image render_picture(SolutionSnapshot solution, const PictureRequest& request) {
     renderer.set_scene(solution->scene);
     renderer.set_solution(solution);
     const PixelSize view = view_size(request);
-    const Image room = drawn(renderer, request.camera, request.options, view);
+    const Image room =
+        drawn(renderer, request.camera, request.options, view, request.exact ? &request.exact->room : nullptr);
     if (!request.annotated) return room;
     const Page page = page_of(request);
     Canvas canvas(request.size);

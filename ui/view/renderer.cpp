@@ -52,8 +52,9 @@ struct Renderer::Buffers {
     bool mesh_loaded = false;
     Background background;
     CellLayer cells;
+    PictureLayer picture;
     SolidLayer plain, sub_areas, openings, opening_backs;
-    LineLayer edges, mesh, luminaire_lines, highlight_lines;
+    LineLayer edges, mesh, outlines, tubes, highlight_lines;
     DotLayer luminaire_dots, calculation, highlight_dots;
 
     void find_bounds() {
@@ -74,7 +75,8 @@ struct Renderer::Buffers {
         const LuminaireMarks marks = shown != nullptr ? luminaire_marks(*shown) : LuminaireMarks{};
         openings.set(marks.openings);
         opening_backs.set(faded(marks.openings, 0.14F));
-        luminaire_lines.set(marks.lines, pixel_scale);
+        outlines.set(marks.outlines, pixel_scale);
+        tubes.set(marks.tubes, pixel_scale);
         luminaire_dots.set(marks.dots);
     }
 
@@ -84,6 +86,18 @@ struct Renderer::Buffers {
             solution != nullptr && solution->mesh != nullptr ? patch_edges(*solution->mesh) : std::vector<LineMark>{},
             pixel_scale);
         mesh_loaded = true;
+    }
+
+    /// The picture, and the surfaces' depth alone for what is drawn over it.
+    void draw_room(const Pass& pass, const ViewOptions& look, const Image& room) {
+        glDisable(GL_DEPTH_TEST);
+        blend(true);
+        picture.draw(room);
+        blend(false);
+        glEnable(GL_DEPTH_TEST);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        draw_surfaces(pass, look);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
 
     void draw_surfaces(const Pass& pass, const ViewOptions& look) {
@@ -101,7 +115,7 @@ struct Renderer::Buffers {
         glDisable(GL_CULL_FACE);
     }
 
-    void draw_luminaires(const Pass& pass) const {
+    void draw_luminaires(const Pass& pass, bool outlined) const {
         glEnable(GL_CULL_FACE);
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(-2.0F, -2.0F);
@@ -111,7 +125,8 @@ struct Renderer::Buffers {
         opening_backs.draw(pass, 0.0F);
         glDisable(GL_POLYGON_OFFSET_FILL);
         glDisable(GL_CULL_FACE);
-        luminaire_lines.draw(pass, mark_lift);
+        if (outlined) outlines.draw(pass, mark_lift);
+        tubes.draw(pass, mark_lift);
         luminaire_dots.draw(pass);
         blend(false);
     }
@@ -166,7 +181,8 @@ void Renderer::set_solution(SolutionSnapshot solution) {
     buffers_->find_bounds();
 }
 
-void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlights& highlights, PixelSize size) {
+void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlights& highlights, PixelSize size,
+                    const Image* room) {
     Buffers& b = *buffers_;
     HANEI_CHECK(size.width > 0 && size.height > 0);
     glViewport(0, 0, size.width, size.height);
@@ -183,10 +199,16 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
 
     const Pass pass = pass_of(camera, size, b.bounds);
     if (b.edge_scale != pass.pixel_scale) b.load_lines(pass.pixel_scale);
-    b.draw_surfaces(pass, look);
-    if (look.luminaires) b.draw_luminaires(pass);
+    if (room != nullptr) {
+        HANEI_CHECK(room->width == size.width && room->height == size.height);
+        b.draw_room(pass, look, *room);
+    } else {
+        b.draw_surfaces(pass, look);
+    }
+    const bool outlined = room == nullptr || look.scale != Scale::photo;  // an exact photo has no drawn lines
+    if (look.luminaires) b.draw_luminaires(pass, outlined);
     blend(true);
-    b.edges.draw(pass, edge_lift);
+    if (outlined) b.edges.draw(pass, edge_lift);
     if (look.mesh_lines) {
         b.load_mesh(pass.pixel_scale);
         b.mesh.draw(pass, edge_lift);

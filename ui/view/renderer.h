@@ -9,6 +9,7 @@
 
 #include "engine/solution/solution.h"
 #include "ui/view/camera.h"
+#include "ui/view/image.h"
 #include "ui/view/picture_size.h"
 #include "ui/view/view_options.h"
 
@@ -42,7 +43,10 @@ public:
 
     /// Draws into the framebuffer that is bound, over its whole `size`, background included. Leaves
     /// depth test, culling and blending off, no program and no vertex array bound.
-    void draw(const Camera& camera, const ViewOptions& options, const Highlights& highlights, PixelSize size);
+    /// `room`, when given, is a picture of the lit surfaces of this size (exact_picture.h), shown in
+    /// their place; luminaires, and lines but in photos, are drawn over it as over the surfaces.
+    void draw(const Camera& camera, const ViewOptions& look, const Highlights& highlights, PixelSize size,
+              const Image* room = nullptr);
 
 private:
     struct Buffers;

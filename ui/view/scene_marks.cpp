@@ -108,10 +108,10 @@ LuminaireMarks luminaire_marks(const Scene& scene) {
             glm::mix(glm::vec4(0.45F, 0.46F, 0.48F, 1.0F), glm::vec4(1.0F, 0.992F, 0.94F, 1.0F), on);
         for (const Polygon& opening : shape.shining)
             append_convex(marks.openings, opening, unit_normal(opening), light);
-        for (const auto& [from, to] : shape.outline) marks.lines.push_back({from, to, ink::luminaire, 1.3F});
+        for (const auto& [from, to] : shape.outline) marks.outlines.push_back({from, to, ink::luminaire, 1.3F});
         if (shape.tube) {
-            marks.lines.push_back({shape.tube->first, shape.tube->second, ink::luminaire, 7.0F});
-            marks.lines.push_back({shape.tube->first, shape.tube->second, light, 4.6F});
+            marks.tubes.push_back({shape.tube->first, shape.tube->second, ink::luminaire, 7.0F});
+            marks.tubes.push_back({shape.tube->first, shape.tube->second, light, 4.6F});
         }
         if (shape.point) marks.dots.push_back({glm::vec3(*shape.point), light, ink::luminaire, 6.0F, 0.0F});
     }
