@@ -29,20 +29,12 @@ struct IesHeader {
     int horizontals = 0;
 };
 
-void read_tilt(const IesLabel& label, IesWords& words, Photometry& photometry, LuminaireFindings& findings) {
+void read_tilt(const IesLabel& label, const FileBeside& beside, IesWords& words, Photometry& photometry,
+               LuminaireFindings& findings) {
     if (starts_with_word(label.tilt, "NONE")) return;
-    LampTilt tilt;
-    if (starts_with_word(label.tilt, "INCLUDE")) {
-        tilt.geometry = words.whole("lamp-to-luminaire geometry", {1.0, 3.0, "1, 2 or 3"});
-        const int pairs = words.whole("number of tilt pairs", {1.0, most_values / 2.0, "a whole number from 1"});
-        tilt.angle_deg = words.increasing(static_cast<std::size_t>(pairs), "tilt angle", {-360.0, 360.0, "an angle"});
-        tilt.factor = words.numbers(static_cast<std::size_t>(pairs), "tilt factor");
-    } else {
-        tilt.file = utf8_text(label.tilt);
-        findings.warn(label.tilt_line, "TILT",
-                      in_quotes(label.tilt) + " is a file of its own and is not read; the lamp's tilt is left out");
-    }
-    photometry.tilt = std::move(tilt);
+    photometry.tilt = starts_with_word(label.tilt, "INCLUDE")
+                          ? read_tilt_factors(words)
+                          : read_tilt_file(utf8_text(label.tilt), label.tilt_line, beside, findings);
 }
 
 void read_lamps(IesWords& words, Photometry& photometry, LuminaireFindings& findings) {
@@ -162,7 +154,7 @@ void warn_of_other_quantities(const Photometry& photometry, int line, LuminaireF
 
 }  // namespace
 
-Photometry read_ies(std::string_view text, LuminaireFindings& findings) {
+Photometry read_ies(std::string_view text, const FileBeside& beside, LuminaireFindings& findings) {
     Photometry photometry;
     const std::size_t end_of_file = text.find('\x1A');  // as DOS wrote it behind the last line
     IesLabel label = read_ies_label(text.substr(0, end_of_file), findings);
@@ -170,7 +162,7 @@ Photometry read_ies(std::string_view text, LuminaireFindings& findings) {
     photometry.format = name_of(label.version);
     photometry.keywords = std::move(label.keywords);
     IesWords words{label.numbers, label.tilt_line + 1, findings};
-    read_tilt(label, words, photometry, findings);
+    read_tilt(label, beside, words, photometry, findings);
     const IesHeader header = read_header(label.version, words, photometry, findings);
     read_table(header, words, photometry, findings);
     warn_of_other_quantities(photometry, label.tilt_line, findings);

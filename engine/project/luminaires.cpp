@@ -16,13 +16,14 @@
 namespace hanei {
 namespace {
 
+constexpr std::uintmax_t most_text_bytes = 16U << 20U;
 constexpr std::uintmax_t most_bytes = 256U << 20U;  // containers bring pictures and models along
 
-LuminairesRead alone(LuminaireFileRead read) {
+LuminairesRead named(LuminaireTextRead read) {
     LuminairesRead result{{}, std::move(read.findings)};
-    if (read.photometry) {
-        std::string name = read.photometry->name;
-        result.luminaires.push_back({std::move(name), std::move(*read.photometry)});
+    for (Photometry& photometry : read.photometries) {
+        std::string name = photometry.name;
+        result.luminaires.push_back({std::move(name), std::move(photometry)});
     }
     return result;
 }
@@ -55,19 +56,26 @@ LuminairesRead read_container(std::string_view bytes, std::string_view name) {
 }  // namespace
 
 LuminairesRead read_luminaires(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);  // of a plain file: a pipe would wait
+    if (error) return unread(file, "cannot be read: " + error.message());
     constexpr std::size_t head = 4;
     const std::optional<std::string> beginning = bytes_of(file, head);
-    if (!beginning || !is_container(*beginning, file.string())) return alone(read_luminaire_file(file));
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    if (error) return unread(file, "cannot be read: " + error.message());
-    if (size > most_bytes) return unread(file, fmt::format("{} bytes; a container has 256 MB at most", size));
+    const bool container = beginning && is_container(*beginning, file.string());
+    const std::uintmax_t most = container ? most_bytes : most_text_bytes;
+    if (size > most) return unread(file, fmt::format("{} bytes; {} can be read at most", size, most));
     const std::optional<std::string> bytes = bytes_of(file, static_cast<std::size_t>(size));
-    return bytes ? read_container(*bytes, file.string()) : unread(file, "cannot be read");
+    if (!bytes) return unread(file, "cannot be read");
+    if (container) return read_container(*bytes, file.string());
+    LuminairesRead read = named(read_luminaire_texts(*bytes, file.string(), files_beside(file)));
+    for (NamedPhotometry& luminaire : read.luminaires) {
+        if (luminaire.name.empty()) luminaire.name = luminaire.photometry.name = file.stem().string();
+    }
+    return read;
 }
 
 LuminairesRead read_luminaires(std::string_view bytes, std::string_view name) {
-    return is_container(bytes, name) ? read_container(bytes, name) : alone(read_luminaire_text(bytes, name));
+    return is_container(bytes, name) ? read_container(bytes, name) : named(read_luminaire_texts(bytes, name));
 }
 
 }  // namespace hanei

@@ -2,231 +2,176 @@
 
 #include "engine/project/luminaire_text.h"
 #include "engine/project/number_text.h"
+#include "engine/project/photometric_sum.h"
 #include "engine/project/photometric_table.h"
+#include "engine/project/tm33_emitter.h"
 #include "engine/project/xml_elements.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <fmt/format.h>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace hanei {
 namespace {
 
-struct Reading {
-    double horizontal_deg = 0.0;
-    double vertical_deg = 0.0;
-    double figure = 0.0;
-};
+bool is_known_root(std::string_view name) {
+    return name.starts_with("IESTM33") || name.starts_with("ATLA_S001") || name == "LuminaireOpticalData";
+}
 
-/// What is gathered on the way through the file.
-struct Gathered {
-    std::string root;
-    int root_line = 0;
-    std::vector<Reading> readings;
-    int first_line = 0;  ///< of the readings
-    double multiplier = 1.0;
-    double announced_horizontals = 0.0, announced_verticals = 0.0;  ///< 0: not announced
-    int emitters = 0;
-    bool other_quantity = false;  ///< radiant or photon data stand in the file
-    bool relative = false;
+struct Goniometer {
+    PhotometricType type = PhotometricType::C;
     bool length_along_90 = false;
-    int areas = 0;  ///< luminous areas of all faces
-    double area_length = 0.0, area_width = 0.0;
-    bool area_round = false;
 };
 
-double number_in(const XmlElement& xml, std::string_view field, std::string_view text, LuminaireFindings& findings) {
-    const auto value = decimal_number(trimmed(text));
-    if (!value)
-        findings.fault(xml.line, std::string{field},
-                       in_quotes(text) + " is no number; a plain decimal number is needed");
-    return value.value_or(0.0);
+/// "IES_C", "CIE _ C", "Type C": the last letter is the type.
+Goniometer goniometer_of(const pugi::xml_node& root) {
+    const pugi::xml_node equipment = root.child("Equipment");
+    std::string word = xml_text(equipment.child("Gonioradiometer").child("Type"));
+    if (word.empty()) word = xml_text(equipment.child("Goniometer").child("GoniometerType"));
+    Goniometer goniometer;
+    if (word.ends_with('A')) goniometer.type = PhotometricType::A;
+    if (word.ends_with('B')) goniometer.type = PhotometricType::B;
+    goniometer.length_along_90 = word.starts_with("CIE");
+    return goniometer;
 }
 
-void read_reading(const XmlElement& xml, Gathered& gathered, LuminaireFindings& findings) {
-    for (const char* name : {"h", "v"}) {
-        if (!xml.attribute(name)) {
-            return findings.fault(xml.line, fmt::format("IntData@{}", name), "the angle is missing");
-        }
+Photometry header_of(const pugi::xml_node& root) {
+    Photometry photometry;
+    const std::string version = xml_text(root.child("Version"));
+    photometry.format = "TM-33";
+    if (!version.empty()) photometry.format += ' ' + version;
+    for (const pugi::xml_node& field : root.child("Header")) {
+        if (field.type() == pugi::node_element) photometry.keywords.emplace_back(field.name(), xml_text(field));
     }
-    if (gathered.readings.empty()) gathered.first_line = xml.line;
-    gathered.readings.push_back({number_in(xml, "IntData@h", *xml.attribute("h"), findings),
-                                 number_in(xml, "IntData@v", *xml.attribute("v"), findings),
-                                 number_in(xml, "IntData", xml.text, findings)});
+    photometry.name = xml_text(root.child("Header").child("Description"));
+    return photometry;
 }
 
-/// True when the path ends with these names.
-bool is_at(const XmlElement& xml, std::string_view end) {
-    const std::string& path = xml.path;
-    if (!path.ends_with(end)) return false;
-    return path.size() == end.size() || path[path.size() - end.size() - 1] == '/';
-}
-
-bool is_type(const XmlElement& xml, char type) {
-    const std::string& text = xml.text;
-    return !text.empty() && text.back() == type;
-}
-
-void read_emitter_figures(const XmlElement& xml, Photometry& photometry, Gathered& gathered,
-                          LuminaireFindings& findings) {
-    const auto number = [&](std::string_view field) { return number_in(xml, field, xml.text, findings); };
-    if (is_at(xml, "LuminousIntensity/IntData")) read_reading(xml, gathered, findings);
-    if (is_at(xml, "LuminousIntensity/Multiplier")) gathered.multiplier = number("Multiplier");
-    if (is_at(xml, "LuminousIntensity/NumberHorz")) gathered.announced_horizontals = number("NumberHorz");
-    if (is_at(xml, "LuminousIntensity/NumberVert")) gathered.announced_verticals = number("NumberVert");
-    if (is_at(xml, "LuminousIntensity/AbsolutePhotometry")) gathered.relative = xml.text == "false" || xml.text == "0";
-    if (is_at(xml, "PhotonData") || is_at(xml, "RadiantData")) gathered.other_quantity = true;
-    if (is_at(xml, "Emitter/Quantity")) photometry.lamps = static_cast<int>(std::clamp(number("Quantity"), 0.0, 1e6));
-    if (is_at(xml, "Emitter/RatedLumens")) photometry.lamp_sets = {{1.0, "", number("RatedLumens"), "", "", 0.0}};
-    if (is_at(xml, "Emitter/InputWattage")) photometry.input_watts = number("InputWattage");
-    if (is_at(xml, "Emitter")) ++gathered.emitters;
-}
-
-void read_area(const XmlElement& xml, Gathered& gathered, LuminaireFindings& findings) {
-    if (xml.path.find("/EmissionAreas/") == std::string::npos) return;
-    const auto number = [&](std::string_view field) { return number_in(xml, field, xml.text, findings); };
-    if (is_at(xml, "BottomArea/Length")) gathered.area_length = number("Length");
-    if (is_at(xml, "BottomArea/Width")) gathered.area_width = number("Width");
-    if (is_at(xml, "BottomArea/Circular")) gathered.area_round = xml.text == "true" || xml.text == "1";
-    if (xml.path.ends_with("Area")) gathered.areas += xml.path.ends_with("/BottomArea") ? 1 : 2;
-}
-
-void read_header(const XmlElement& xml, Photometry& photometry, Gathered& gathered) {
-    if (gathered.root.empty()) {
-        gathered.root = xml.path;
-        gathered.root_line = xml.line;
-    }
-    const std::size_t header = xml.path.find("/Header/");
-    if (header != std::string::npos) photometry.keywords.emplace_back(xml.path.substr(header + 8), xml.text);
-    if (is_at(xml, "Header/Description")) photometry.name = xml.text;
-    if (std::count(xml.path.begin(), xml.path.end(), '/') == 1 && is_at(xml, "Version")) {
-        photometry.format = "TM-33 " + xml.text;
-    }
-    if (!is_at(xml, "Gonioradiometer/Type")) return;
-    photometry.type = is_type(xml, 'A')   ? PhotometricType::A
-                      : is_type(xml, 'B') ? PhotometricType::B
-                                          : PhotometricType::C;
-    gathered.length_along_90 = xml.text.starts_with("CIE");
-}
-
-std::vector<double> distinct(const std::vector<Reading>& readings, double Reading::*angle) {
-    std::vector<double> angles;
-    for (const Reading& reading : readings) angles.push_back(reading.*angle);
-    std::sort(angles.begin(), angles.end());
-    angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
-    return angles;
-}
-
-/// Readings in any order to a table. A fault when they do not fill it.
-std::vector<double> arrange(Gathered& gathered, Photometry& photometry, LuminaireFindings& findings) {
-    std::vector<Reading>& readings = gathered.readings;
-    photometry.horizontal_deg = distinct(readings, &Reading::horizontal_deg);
-    photometry.vertical_deg = distinct(readings, &Reading::vertical_deg);
-    const std::size_t horizontals = photometry.horizontal_deg.size();
-    const std::size_t verticals = photometry.vertical_deg.size();
-    const auto differs = [](double announced, std::size_t found) {
-        return announced != 0.0 && announced != static_cast<double>(found);
-    };
-    std::stable_sort(readings.begin(), readings.end(), [](const Reading& a, const Reading& b) {
-        return std::pair{a.horizontal_deg, a.vertical_deg} < std::pair{b.horizontal_deg, b.vertical_deg};
-    });
-    bool grid = readings.size() / horizontals == verticals && readings.size() % horizontals == 0;
-    std::vector<double> figures;
-    for (std::size_t k = 0; grid && k < readings.size(); ++k) {
-        grid = readings[k].vertical_deg == photometry.vertical_deg[k % verticals];
-        figures.push_back(readings[k].figure);
-    }
-    if (!grid) {
-        findings.fault(gathered.first_line, "IntData",
-                       fmt::format("{} values at {} horizontal and {} vertical angles form no grid", readings.size(),
-                                   horizontals, verticals));
-    } else if (differs(gathered.announced_horizontals, horizontals) ||
-               differs(gathered.announced_verticals, verticals)) {
-        findings.fault(gathered.first_line, "NumberMeasured",
-                       fmt::format("{} x {} angles announced, {} x {} found", gathered.announced_horizontals,
-                                   gathered.announced_verticals, horizontals, verticals));
-    }
+/// The header's words around an emitter's figures.
+Photometry with_header(const Photometry& header, Photometry figures) {
+    figures.format = header.format;
+    figures.keywords.insert(figures.keywords.begin(), header.keywords.begin(), header.keywords.end());
+    figures.name = header.name;
     return figures;
 }
 
-void set_opening(const Gathered& gathered, int line, Photometry& photometry, LuminaireFindings& findings) {
-    if (gathered.areas != 1 || !(gathered.area_length > 0.0)) {
-        if (gathered.areas > 0) findings.warn(line, "EmissionAreas", "more than one area below; read as a point");
-        return;
+void refuse_without_intensity(const pugi::xml_node& root, int line, LuminaireFindings& findings) {
+    if (!is_known_root(root.name())) {
+        return findings.fault(line, "root",
+                              in_quotes(fmt::format("<{}>", root.name())) + " found; TM-33 files begin with <IESTM33>");
     }
-    const bool turned = gathered.length_along_90;
-    photometry.opening = {gathered.area_round ? OpeningShape::circle : OpeningShape::rectangle,
-                          turned ? gathered.area_width : gathered.area_length,
-                          turned ? gathered.area_length : gathered.area_width, 0.0};
-    if (gathered.area_round) photometry.opening.extent_0 = photometry.opening.extent_90 = gathered.area_length;
-    check_opening(photometry.opening, line, findings);
+    const auto emitters = root.children("Emitter");
+    const bool other = std::any_of(emitters.begin(), emitters.end(), [](const pugi::xml_node& emitter) {
+        return emitter.child("RadiantData") || emitter.child("PhotonData");
+    });
+    findings.fault(line, "LuminousData",
+                   other ? "the file holds radiant or photon intensity, no luminous intensity"
+                         : "the file holds no luminous intensity");
 }
 
-/// What keeps gathered figures from being a luminaire's candela.
-bool refuse(const Gathered& gathered, LuminaireFindings& findings) {
-    if (findings.failed()) return true;
-    const int line = gathered.root_line;
-    if (gathered.readings.empty() && !gathered.root.starts_with("IESTM33")) {
-        findings.fault(line, "root", in_quotes("<" + gathered.root + ">") + " found; TM-33 files begin with <IESTM33>");
-    } else if (gathered.readings.empty()) {
-        findings.fault(line, "LuminousData",
-                       gathered.other_quantity ? "the file holds radiant or photon intensity, no luminous intensity"
-                                               : "the file holds no luminous intensity");
-    } else if (gathered.emitters > 1) {
-        findings.fault(line, "Emitter",
-                       fmt::format("{} emitters found; files of one emitter are read", gathered.emitters));
-    } else if (gathered.relative) {
-        findings.fault(line, "AbsolutePhotometry", "false or 0 found; only absolute photometry is read");
-    } else if (gathered.multiplier < 0.0) {
-        findings.fault(line, "Multiplier", fmt::format("{} found, allowed is 0 or more", gathered.multiplier));
+std::vector<Tm33Emitter> emitters_of(std::string_view text, const pugi::xml_node& root, PhotometricType type, int line,
+                                     LuminaireFindings& findings) {
+    std::vector<Tm33Emitter> emitters;
+    std::size_t dark = 0;
+    for (const pugi::xml_node& node : root.children("Emitter")) {
+        std::optional<Tm33Emitter> emitter = read_tm33_emitter(text, node, type, findings);
+        if (findings.failed()) return {};
+        if (emitter)
+            emitters.push_back(std::move(*emitter));
+        else
+            ++dark;
     }
-    return findings.failed();
+    if (emitters.empty())
+        refuse_without_intensity(root, line, findings);
+    else if (dark > 0)
+        findings.warn(line, "Emitter", fmt::format("{} emitters without luminous intensity are left out", dark));
+    return emitters;
 }
 
-void check_vertical(const Photometry& photometry, int line, LuminaireFindings& findings) {
-    const double pole = photometry.type == PhotometricType::C   ? 0.0
-                        : photometry.type == PhotometricType::A ? -90.0
-                                                                : -180.0;
-    const double end = photometry.type == PhotometricType::A ? 90.0 : 180.0;
-    const auto& angles = photometry.vertical_deg;
-    if (angles.size() < 2 || angles.front() < pole || angles.back() > end) {
-        findings.fault(line, "IntData@v",
-                       fmt::format("{} angles from {} to {}; two or more from {} to {} are allowed", angles.size(),
-                                   angles.front(), angles.back(), pole, end));
+/// The declared flux of all, where every one declares its own; the report compares it (photometry_figures.h).
+void declare_flux(const std::vector<Tm33Emitter>& emitters, Photometry& photometry) {
+    double total = 0.0;
+    for (const Tm33Emitter& emitter : emitters) {
+        if (!emitter.declared_flux) return;
+        total += *emitter.declared_flux;
     }
+    if (total > 0.0) photometry.keywords.emplace_back("LuminousFlux", fmt::format("{}", total));
+}
+
+std::optional<Photometry> summed(const std::vector<Tm33Emitter>& emitters, const Goniometer& goniometer, int line,
+                                 LuminaireFindings& findings) {
+    std::vector<Photometry> parts;
+    std::vector<Tm33Area> areas;
+    bool known = true, off_centre = false;
+    for (const Tm33Emitter& emitter : emitters) {
+        parts.push_back(emitter.photometry);
+        areas.insert(areas.end(), emitter.areas.begin(), emitter.areas.end());
+        known = known && emitter.known;
+        off_centre = off_centre || emitter.has_centre;
+    }
+    if (!known && emitters.size() > 1) return std::nullopt;
+    std::optional<Photometry> sum = photometric_sum(parts);
+    if (!sum) return std::nullopt;
+    if (emitters.size() > 1) {
+        sum->lamp_sets.clear();  // lamps of the parts together are no alternatives
+        findings.warn(line, "Emitter",
+                      fmt::format("the intensities of {} emitters are added{}", emitters.size(),
+                                  off_centre ? ", as if they lay in one place" : ""));
+    }
+    sum->opening = tm33_opening(areas, goniometer.length_along_90, emitters.front().line, findings);
+    check_opening(sum->opening, emitters.front().line, findings);
+    declare_flux(emitters, *sum);
+    return sum;
+}
+
+std::vector<Photometry> separate(const std::vector<Tm33Emitter>& emitters, const Goniometer& goniometer, int line,
+                                 LuminaireFindings& findings) {
+    std::vector<Photometry> photometries;
+    for (const Tm33Emitter& emitter : emitters) {
+        Photometry& photometry = photometries.emplace_back(emitter.photometry);
+        photometry.opening = tm33_opening(emitter.areas, goniometer.length_along_90, emitter.line, findings);
+        check_opening(photometry.opening, emitter.line, findings);
+        declare_flux({emitter}, photometry);
+    }
+    findings.warn(
+        line, "Emitter",
+        fmt::format("the intensities of {} emitters cannot be added; each is a luminaire of its own", emitters.size()));
+    return photometries;
 }
 
 }  // namespace
 
-Photometry read_tm33(std::string_view text, LuminaireFindings& findings) {
-    Photometry photometry;
-    photometry.format = "TM-33";
-    photometry.absolute = true;
-    Gathered gathered;
-    for_each_element(text, findings, [&](const XmlElement& xml) {
-        read_header(xml, photometry, gathered);
-        read_emitter_figures(xml, photometry, gathered, findings);
-        read_area(xml, gathered, findings);
-    });
-    if (refuse(gathered, findings)) return photometry;
-    std::vector<double> figures = arrange(gathered, photometry, findings);
-    const int line = gathered.first_line;
-    check_vertical(photometry, line, findings);
-    if (findings.failed()) return photometry;
-    const auto symmetry = symmetry_of(photometry.type, photometry.horizontal_deg, line, findings);
-    if (!symmetry) return photometry;
-    photometry.symmetry = *symmetry;
-    set_candela(photometry, std::move(figures), gathered.multiplier, line, findings);
-    set_opening(gathered, line, photometry, findings);
-    return photometry;
+std::vector<Photometry> read_tm33(std::string_view text, LuminaireFindings& findings) {
+    pugi::xml_document document;
+    if (!parse_xml(text, document, findings)) return {};
+    const pugi::xml_node root = document.document_element();
+    const int line = xml_line(text, root);
+    const Goniometer goniometer = goniometer_of(root);
+    const std::vector<Tm33Emitter> emitters = emitters_of(text, root, goniometer.type, line, findings);
+    if (findings.failed()) return {};
+    const Photometry header = header_of(root);
+    if (std::optional<Photometry> sum = summed(emitters, goniometer, line, findings)) {
+        Photometry whole = with_header(header, std::move(*sum));
+        return {std::move(whole)};
+    }
+    std::vector<Photometry> photometries = separate(emitters, goniometer, line, findings);
+    for (std::size_t k = 0; k < photometries.size(); ++k) {
+        photometries[k] = with_header(header, std::move(photometries[k]));
+        const std::string& part = emitters[k].name;
+        photometries[k].name += " / " + (part.empty() ? fmt::format("emitter {}", k + 1) : part);
+    }
+    return photometries;
 }
 
 bool looks_like_tm33(std::string_view text) {
     text = trimmed(text);
-    return text.starts_with("<?xml") || (text.starts_with('<') && text.find("<IESTM33") != std::string_view::npos);
+    if (text.starts_with("<?xml")) return true;
+    if (!text.starts_with('<')) return false;
+    for (const char* root : {"<IESTM33", "<ATLA_S001", "<LuminaireOpticalData"}) {
+        if (text.find(root) != std::string_view::npos) return true;
+    }
+    return false;
 }
 
 }  // namespace hanei

@@ -13,32 +13,6 @@ namespace {
 /// References stay as they are written until they are found to be XML's own.
 constexpr unsigned as_written = (pugi::parse_default & ~pugi::parse_escapes) | pugi::parse_ws_pcdata;
 
-class Elements : public pugi::xml_tree_walker {
-public:
-    Elements(std::string_view text, LuminaireFindings& findings, const XmlVisit& visit)
-        : lines_(text), findings_(findings), visit_(visit) {}
-
-    bool for_each(pugi::xml_node& node) override {
-        if (node.type() != pugi::node_element) return true;
-        visit_({utf8_text(node.path()).substr(1), text_of(node), lines_.at(node.offset_debug()), node});
-        return !findings_.failed();
-    }
-
-    /// Comments and child elements part a text into pieces.
-    static std::string text_of(const pugi::xml_node& element) {
-        std::string text;
-        for (const pugi::xml_node& piece : element) {
-            if (piece.type() == pugi::node_pcdata || piece.type() == pugi::node_cdata) text += piece.value();
-        }
-        return utf8_text(trimmed(text));
-    }
-
-private:
-    XmlLines lines_;
-    LuminaireFindings& findings_;
-    const XmlVisit& visit_;
-};
-
 const char* sentence_of(const pugi::xml_parse_result& result) {
     switch (result.status) {
         case pugi::status_end_element_mismatch:
@@ -76,12 +50,6 @@ void refuse_damaged(const pugi::xml_parse_result& result, std::string_view text,
 
 }  // namespace
 
-std::optional<std::string_view> XmlElement::attribute(const char* name) const {
-    const pugi::xml_attribute found = node.attribute(name);
-    if (!found) return std::nullopt;
-    return found.value();
-}
-
 bool parse_xml(std::string_view text, pugi::xml_document& document, LuminaireFindings& findings) {
     const auto parse = [&](unsigned options) {
         return document.load_buffer(text.data(), text.size(), options, pugi::encoding_utf8);
@@ -93,15 +61,14 @@ bool parse_xml(std::string_view text, pugi::xml_document& document, LuminaireFin
     return !findings.failed();
 }
 
-std::string xml_text(const pugi::xml_node& element) { return Elements::text_of(element); }
+std::string xml_text(const pugi::xml_node& element) {
+    std::string text;
+    for (const pugi::xml_node& piece : element) {  // comments and child elements part a text into pieces
+        if (piece.type() == pugi::node_pcdata || piece.type() == pugi::node_cdata) text += piece.value();
+    }
+    return utf8_text(trimmed(text));
+}
 
 int xml_line(std::string_view text, const pugi::xml_node& element) { return XmlLines{text}.at(element.offset_debug()); }
-
-void for_each_element(std::string_view text, LuminaireFindings& findings, const XmlVisit& visit) {
-    pugi::xml_document document;
-    if (!parse_xml(text, document, findings)) return;
-    Elements elements{text, findings, visit};
-    document.traverse(elements);
-}
 
 }  // namespace hanei

@@ -31,6 +31,15 @@ std::string share_text(const std::optional<double>& share) {
     return share ? fmt::format("{:.1f} %", 100.0 * *share) : "not stated";
 }
 
+void add_tilt(Lines& lines, const LampTilt& tilt) {
+    const std::string where = tilt.file.empty() ? "the file" : tilt.file;
+    if (tilt.factor.empty()) {
+        lines.add("lamp tilt", "in the file {}, not read", where);
+    } else {
+        lines.add("lamp tilt", "{} factors in {}, not applied", tilt.factor.size(), where);
+    }
+}
+
 void add_lamps(Lines& lines, const Photometry& photometry) {
     for (std::size_t k = 0; k < photometry.lamp_sets.size(); ++k) {
         const LampSet& set = photometry.lamp_sets[k];
@@ -44,12 +53,7 @@ void add_lamps(Lines& lines, const Photometry& photometry) {
         lines.add("lamps", "{}, {:g} lm together", photometry.lamps, photometry.lamp_lumens);
     }
     lines.add("input", "{:g} W", photometry.input_watts);
-    if (!photometry.tilt) return;
-    if (photometry.tilt->file.empty()) {
-        lines.add("lamp tilt", "{} factors in the file, not applied", photometry.tilt->factor.size());
-    } else {
-        lines.add("lamp tilt", "in the file {}, not read", photometry.tilt->file);
-    }
+    if (photometry.tilt) add_tilt(lines, *photometry.tilt);
 }
 
 void add_flux(Lines& lines, const Photometry& photometry, const PhotometryFigures& figures) {

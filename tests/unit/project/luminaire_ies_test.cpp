@@ -1,7 +1,9 @@
 #include "engine/project/luminaire_file.h"
 #include "engine/scene/intensity.h"
 
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <optional>
 #include <string>
 
 namespace hanei {
@@ -203,6 +205,43 @@ TEST(IesFile, text_that_is_no_utf8_is_kept_as_latin_1) {
     Parts parts;
     parts.label = "[LUMINAIRE] B\xFCro\n";
     EXPECT_EQ(read(parts).photometry->name, "B\xC3\xBCro");
+}
+
+TEST(IesFile, tilt_factors_of_a_file_beside_it_are_read_from_there) {
+    Parts parts;
+    parts.tilt = "TILT=lamp.tlt\n";
+    std::string asked;
+    const FileBeside beside = [&asked](const std::string& name) -> std::optional<std::string> {
+        asked = name;
+        return "2\n3\n0 45 90\n1 .95, 0.9\n";
+    };
+    const LuminaireFileRead result = read_luminaire_text(parts.text(), "panel.ies", beside);
+    ASSERT_TRUE(result.photometry);
+    EXPECT_TRUE(result.findings.empty());
+    EXPECT_EQ(asked, "lamp.tlt");
+    EXPECT_EQ(*result.photometry->tilt, (LampTilt{"lamp.tlt", 2, {0.0, 45.0, 90.0}, {1.0, 0.95, 0.9}}));
+    EXPECT_EQ(result.photometry->candela, read(Parts{}).photometry->candela);
+}
+
+TEST(IesFile, a_tilt_file_that_is_missing_or_broken_is_a_warning) {
+    Parts parts;
+    parts.tilt = "TILT=lamp.tlt\n";
+    for (const FileBeside& beside : {FileBeside{}, FileBeside{[](const std::string&) { return std::nullopt; }},
+                                     FileBeside{[](const std::string&) { return "2\n3\n0 45"; }}}) {
+        const LuminaireFileRead result = read_luminaire_text(parts.text(), "panel.ies", beside);
+        ASSERT_TRUE(result.photometry);
+        EXPECT_TRUE(result.photometry->tilt->factor.empty());
+        ASSERT_EQ(result.findings.size(), 1U);
+        EXPECT_EQ(result.findings[0].place.field, "TILT");
+    }
+}
+
+TEST(IesFile, a_tilt_file_is_looked_for_under_its_bare_name_alone) {
+    const FileBeside beside = files_beside(std::filesystem::path{HANEI_SOURCE} / "tests/unit/lamp.ies");
+    EXPECT_TRUE(files_beside(std::filesystem::path{HANEI_SOURCE} / "lamp.ies")("README.md"));
+    for (const char* name : {"../../README.md", "..\\..\\README.md", "/etc/hostname", "C:lamp.tlt", "project", "", ".",
+                             "project/luminaire_ies_test.cpp", "a\nb"})
+        EXPECT_FALSE(beside(name)) << name;
 }
 
 TEST(IesFile, without_a_tilt_line_or_without_text_is_refused) {

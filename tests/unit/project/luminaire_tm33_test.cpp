@@ -139,12 +139,27 @@ TEST(Tm33File, radiant_and_photon_figures_are_never_candela) {
     }
 }
 
-TEST(Tm33File, relative_figures_are_refused_however_they_are_announced) {
+TEST(Tm33File, relative_figures_are_scaled_by_the_rated_lumens_with_a_warning) {
+    const std::string rated = "<InputWattage>10</InputWattage><RatedLumens>2500</RatedLumens>";
     for (const char* no : {"false", "0", " false "}) {
-        EXPECT_EQ(refusal(file_with(replaced(intensity_of_a_small_lamp, "true", no))),
-                  "lamp.xml:2: AbsolutePhotometry: false or 0 found; only absolute photometry is read");
+        const std::string relative = file_with(replaced(intensity_of_a_small_lamp, "true", no));
+        const LuminaireFileRead result = read(replaced(relative, "<InputWattage>10</InputWattage>", rated));
+        ASSERT_TRUE(result.photometry);
+        EXPECT_EQ(result.photometry->candela, (std::vector<double>{250.0, 17.5}));
+        EXPECT_FALSE(result.photometry->absolute);
+        EXPECT_EQ(result.photometry->lamp_lumens, 2500.0);
+        EXPECT_EQ(result.findings.size(), 1U);
+        EXPECT_EQ(read(relative).photometry->candela, (std::vector<double>{100.0, 7.0}));
+        EXPECT_EQ(read(relative).findings.size(), 1U);
     }
-    EXPECT_TRUE(read(file_with(replaced(intensity_of_a_small_lamp, "true", "1"))).photometry);
+    EXPECT_TRUE(read(file_with(replaced(intensity_of_a_small_lamp, "true", "1"))).findings.empty());
+}
+
+TEST(Tm33File, relative_figures_of_more_than_a_thousand_lumens_are_candela_already) {
+    std::string text = file_with(replaced(replaced(intensity_of_a_small_lamp, "true", "false"), ">7<", ">700<"));
+    text = replaced(text, "<InputWattage>10</InputWattage>", "<RatedLumens>2500</RatedLumens>");
+    EXPECT_EQ(read(text).photometry->candela, (std::vector<double>{100.0, 700.0}));
+    EXPECT_EQ(read(text).photometry->lamp_lumens, 2500.0);
 }
 
 TEST(Tm33File, damaged_bytes_are_refused_or_read_and_never_more) {
