@@ -85,9 +85,12 @@ double factor_of(std::span<const Vec3> outline, std::span<const Polygon> holes, 
         const Vec3 seen = point - receiver.position;
         farthest = std::max(farthest, glm::dot(seen, seen));
     }
+    // A diameter is at most four times the farthest corner's distance; only what is that small is measured.
+    if (!(size > tolerance::no_area * 16.0 * farthest)) {
+        const double extent = diameter(outline);
+        if (!(size > tolerance::no_area * extent * extent)) return 0.0;
+    }
     farthest = std::sqrt(farthest);
-    const double extent = diameter(outline);
-    if (!(size > tolerance::no_area * extent * extent)) return 0.0;
 
     SeenShape shape{outline, holes, area / size, 0.0, touching_distance(receiver, farthest)};
     shape.height = glm::dot(receiver.position - outline[0], shape.front);

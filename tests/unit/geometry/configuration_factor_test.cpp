@@ -97,7 +97,8 @@ TEST(ConfigurationFactor, a_point_amid_an_upright_edge_is_the_limit_from_inside_
     for (int k = 1; k < 200; ++k) {
         // The wall's slanted edge passes through the point from below its horizon to above it.
         const double below = 0.01 * k, slant = 0.3 + 0.002 * k, turn = 0.1 * k;
-        const Vec3 side{std::cos(turn), std::sin(turn), 0}, inward{-side.y, side.x, 0}, edge = slant * side + Vec3{0, 0, 1};
+        const Vec3 side{std::cos(turn), std::sin(turn), 0}, inward{-side.y, side.x, 0},
+            edge = slant * side + Vec3{0, 0, 1};
         const Polygon wall{-below * edge, edge, edge + side, -below * edge + side};
         const double limit = configuration_factor(wall, {{0, 0, 0}, {0, 0, 1}, inward});
         const double near = configuration_factor(wall, {1e-7 * inward, {0, 0, 1}, {}});
@@ -162,9 +163,9 @@ TEST(ConfigurationFactor, a_tiny_far_opening_keeps_all_its_digits) {
     }
 }
 
-TEST(ConfigurationFactor, the_far_rules_meet_the_contour_sum) {
-    // Just on either side of the sizes where the rule changes, against the opening cut in four.
-    for (const double size : {0.0029, 0.0031, 0.049, 0.051}) {
+TEST(ConfigurationFactor, the_sums_for_near_and_far_openings_meet) {
+    // Sizes at which the rule changes for the whole or for its quarters, against the opening cut in four.
+    for (const double size : {0.01, 0.3, 0.95, 0.99, 1.0, 1.05, 1.9, 2.0, 2.1}) {
         const double h = 0.5 * size / std::sqrt(2.0);
         const Vec3 normal = glm::normalize(Vec3{0.3, -0.2, 1});
         const Receiver receiver{{-0.4, 0.1, 0}, normal, {}};
@@ -174,7 +175,7 @@ TEST(ConfigurationFactor, the_far_rules_meet_the_contour_sum) {
                              configuration_factor(facing_down(0, -h, h, 0, d), receiver) +
                              configuration_factor(facing_down(-h, 0, 0, h, d), receiver) +
                              configuration_factor(facing_down(0, 0, h, h, d), receiver);
-        EXPECT_NEAR(whole / parts, 1, 5e-13) << size;  // degree 8 at 0.05; cancellation above it
+        EXPECT_NEAR(whole / parts, 1, 2e-15) << size;  // a few roundings on either side
     }
 }
 
