@@ -9,9 +9,6 @@ namespace {
 
 constexpr double nearest_depth = 1e-3;  // m: what is closer to the eye is not drawn
 
-/// The reciprocal that keeps 0 times it finite.
-double reciprocal(double x) { return 1.0 / (std::abs(x) < 1e-300 ? std::copysign(1e-300, x) : x); }
-
 Ray difference(const Ray& a, const Ray& b) { return {a.origin - b.origin, a.direction - b.direction}; }
 
 Box box_of(const DisplayMesh& display, const DisplayCell& cell) {
@@ -58,7 +55,7 @@ Sight::Sight(const Solution& solution, const Camera& camera, double aspect) {
         box.low -= Vec3(1e-9 * extent);
         box.high += Vec3(1e-9 * extent);
     }
-    tree_ = BodyTree(boxes);
+    tree_ = RayTree(boxes);
 }
 
 Ray Sight::ray(const Vec2& at) const {
@@ -68,22 +65,11 @@ Ray Sight::ray(const Vec2& at) const {
 
 std::optional<Seen> Sight::through(const Vec2& at) const {
     const Ray ray = this->ray(at);
-    const Vec3 inverse(reciprocal(ray.direction.x), reciprocal(ray.direction.y), reciprocal(ray.direction.z));
     Seen seen;
     seen.depth = std::numeric_limits<double>::infinity();
     std::uint32_t found = 0;
     Vec2 flat(0.0);
-    const auto may_touch = [&](const Box& box) {
-        double from = nearest_depth, to = seen.depth;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double low = (box.low[axis] - ray.origin[axis]) * inverse[axis];
-            const double high = (box.high[axis] - ray.origin[axis]) * inverse[axis];
-            from = std::max(from, std::min(low, high));
-            to = std::min(to, std::max(low, high));
-        }
-        return from <= to;
-    };
-    tree_.visit(may_touch, [&](std::uint32_t number) {
+    tree_.visit(ray, nearest_depth, seen.depth, [&](std::uint32_t number) {
         const CellFrame& frame = frames_[number];
         const double against = glm::dot(ray.direction, frame.normal);
         const double depth = glm::dot(frame.origin - ray.origin, frame.normal) / against;

@@ -1,9 +1,9 @@
 /// What of a solved room is seen through any place of a picture, by rays, without OpenGL.
 #pragma once
 
-#include "engine/geometry/body_tree.h"
 #include "ui/view/camera.h"
 #include "ui/view/cell_field.h"
+#include "ui/view/ray_tree.h"
 
 #include <optional>
 #include <vector>
@@ -39,7 +39,7 @@ private:
     std::vector<CellFrame> frames_;
     std::vector<std::uint32_t> cells_;  ///< one a frame
     std::vector<std::uint32_t> index_;  ///< one a cell: its frame
-    BodyTree tree_;
+    RayTree tree_;
 };
 
 }  // namespace hanei
