@@ -39,7 +39,7 @@ public:
         return relative_[static_cast<std::size_t>(rank)];
     }
     /// One row: name, cases that shine, broken, relative error's median, p99 and greatest, the greatest of
-    /// the well-conditioned, greatest absolute error.
+    /// the well-conditioned (0 when none is known), greatest absolute error.
     void print(const std::string& name) {
         if (!std::getenv("HANEI_HOSTILE")) return;
         std::printf("%s,%zu,%d,%.1e,%.1e,%.1e,%.1e,%.1e\n", name.c_str(), relative_.size(), broken, relative(0.5),

@@ -22,19 +22,23 @@ double LineSource::unobstructed(const Receiver& receiver, double first, double l
     if (!(length > 0.0)) return 0.0;
     const Vec3 along = whole / length;
     Vec3 a = from - receiver.position + first * whole;
-    Vec3 b = from - receiver.position + last * whole;
+    const Vec3 far_end = a + (last - first) * whole;
+    double span = (last - first) * length;
     const double height_a = glm::dot(a, receiver.normal);
-    const double height_b = glm::dot(b, receiver.normal);
+    const double height_b = glm::dot(far_end, receiver.normal);
     if (height_a <= 0.0 && height_b <= 0.0) return 0.0;
-    if (height_a < 0.0) a += (height_a / (height_a - height_b)) * (b - a);
-    if (height_b < 0.0) b += (height_b / (height_b - height_a)) * (a - b);
+    if (height_a < 0.0) {
+        a += (height_a / (height_a - height_b)) * (last - first) * whole;
+        span *= height_b / (height_b - height_a);
+    }
+    if (height_b < 0.0) span *= height_a / (height_a - height_b);
+    const Vec3 b = a + span * along;
 
     const Vec3 foot = glm::cross(along, glm::cross(a, along));
     const double h = glm::length(foot);
     if (!(h > 1e-14 * (glm::length(a) + glm::length(b)))) return 0.0;
     const double start = glm::dot(a, along);
-    const double end = glm::dot(b, along);
-    const double span = end - start;
+    const double end = start + span;
     const double squares = glm::dot(a, a) * glm::dot(b, b);
     const double twice_angle = 2.0 * std::atan2(h * span, h * h + start * end);
     const double across = angle_minus_sine(twice_angle) / (4.0 * h * h * h) + span / squares;
