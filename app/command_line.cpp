@@ -66,6 +66,7 @@ struct Arguments {
     ValidateRequest validate;
     std::filesystem::path check_project, photometry_file;
     std::optional<std::filesystem::path> photometry_json;
+    std::optional<int> photometry_lamp_set;
     std::string size = "1280x800";
     std::string render_size = "1280x800";
     CommonOptions common;
@@ -160,7 +161,9 @@ void add_validate(CLI::App& app, Arguments& arguments) {
 
 void add_photometry(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("photometry", "What a luminaire file says and what follows from it");
-    command->add_option("FILE", arguments.photometry_file, "Luminaire file (.ies, .ldt)")->required();
+    command->add_option("FILE", arguments.photometry_file, "Luminaire file (.ies, .ldt, .xml, .gldf)")->required();
+    command->add_option("--lamp-set", arguments.photometry_lamp_set, "Use this lamp set, counted from 1")
+        ->check(CLI::PositiveNumber);
     command->add_option("--json", arguments.photometry_json, "Write the same as JSON");
 }
 
@@ -195,7 +198,8 @@ int run(const CLI::App& app, Arguments& arguments) {
         return validate_command(arguments.validate);
     }
     if (app.got_subcommand("photometry"))
-        return photometry_command(arguments.photometry_file, arguments.photometry_json, std::cout, std::cerr);
+        return photometry_command(arguments.photometry_file, arguments.photometry_lamp_set, arguments.photometry_json,
+                                  std::cout, std::cerr);
     return run_desktop_from(arguments);
 }
 

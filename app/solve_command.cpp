@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/photometry_command.h"
 #include "engine/report/report.h"
 #include "engine/report/report_json.h"
 #include "engine/scene/scene_check.h"
@@ -34,7 +35,11 @@ int plan_command(const PlanRequest& request) {
 }
 
 int check_command(const std::filesystem::path& project) {
-    const ProjectRead read = read_project(project);
+    ProjectRead read = read_project(project);
+    if (read.project) {
+        const Diagnostics found = photometry_findings(read.project->scene, project.string(), read.findings);
+        read.findings.insert(read.findings.end(), found.begin(), found.end());
+    }
     print_findings(read.findings);
     if (!read.project) return exit_bad_input;
     if (read.findings.empty()) {

@@ -70,6 +70,7 @@ Photometry with_product(const GldfListing& listing, const GldfVariant& variant, 
     add("GLDF variant", variant.name);
     add("GLDF emitter", emitter.name.empty() ? emitter.id : emitter.name);
     add("GLDF emergency behaviour", emitter.emergency);
+    if (emitter.rated_flux) add("GLDF rated flux", fmt::format("{} lm", *emitter.rated_flux));
     photometry.keywords.insert(photometry.keywords.begin(), keywords.begin(), keywords.end());
     return photometry;
 }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <fmt/format.h>
+#include <iterator>
 #include <string_view>
 
 namespace hanei {
@@ -97,21 +99,42 @@ std::optional<double> leading_number(std::string_view text) {
     return value;
 }
 
+/// What containers, LM-63 and TM-33 files call the flux of the whole luminaire; the first that is there counts.
+constexpr std::string_view flux_keywords[] = {"GLDF rated flux", "_ABSOLUTELUMENS", "_TOTALLUMINAIRELUMENS",
+                                              "LuminousFlux"};
+
 std::optional<LuminousFlux> declared_flux(const Photometry& photometry) {
     for (const auto& [key, text] : photometry.keywords) {
-        if (key != "_ABSOLUTELUMENS" && key != "_TOTALLUMINAIRELUMENS") continue;
+        if (std::find(std::begin(flux_keywords), std::end(flux_keywords), key) == std::end(flux_keywords)) continue;
         if (const auto lumens = leading_number(text)) return LuminousFlux{*lumens};
     }
-    if (!photometry.declared_output_ratio || photometry.lamp_sets.empty()) return std::nullopt;
-    return LuminousFlux{*photometry.declared_output_ratio * photometry.lamp_sets.front().lumens};
+    if (!photometry.declared_output_ratio || photometry.lamp_set >= photometry.lamp_sets.size()) return std::nullopt;
+    return LuminousFlux{*photometry.declared_output_ratio * photometry.lamp_sets[photometry.lamp_set].lumens};
+}
+
+/// Planes 0 and 360 are one plane of which a file of the full circle has two.
+std::optional<double> seam_difference(const Photometry& photometry) {
+    const std::vector<double>& planes = photometry.horizontal_deg;
+    const double peak = peak_intensity(photometry).value;
+    const bool twice = photometry.type == PhotometricType::C && planes.size() > 1 && peak > 0.0 &&
+                       std::abs(planes.back() - planes.front() - 360.0) < 1e-3;
+    if (!twice) return std::nullopt;
+    const std::size_t row = photometry.vertical_deg.size();
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < row; ++k) {
+        const double first = photometry.candela[k];
+        greatest = std::max(greatest, std::abs(photometry.candela[photometry.candela.size() - row + k] - first));
+    }
+    return greatest / peak;
 }
 
 std::vector<std::string> differences(const Photometry& photometry, const PhotometryFigures& figures) {
     constexpr double noticed = 0.02;
     std::vector<std::string> sentences;
-    if (figures.declared_flux && std::abs(*figures.declared_flux / figures.flux - 1.0) > noticed) {
-        sentences.push_back(fmt::format("The file declares {:.0f} lm; its intensities integrate to {:.0f} lm.",
-                                        figures.declared_flux->value, figures.flux.value));
+    if (figures.flux_difference && std::abs(*figures.flux_difference) > noticed) {
+        sentences.push_back(fmt::format(
+            "The file declares {:.0f} lm; its intensities integrate to {:.0f} lm, a difference of {:+.1f} %.",
+            figures.declared_flux->value, figures.flux.value, 100.0 * *figures.flux_difference));
     }
     const auto& share = photometry.declared_downward_share;
     if (share && figures.downward_share && std::abs(*share - *figures.downward_share) > noticed) {
@@ -122,6 +145,10 @@ std::vector<std::string> differences(const Photometry& photometry, const Photome
     if (figures.output_ratio && *figures.output_ratio > 1.0 + noticed) {
         sentences.push_back(
             fmt::format("The luminaire gives {:.0f} % of the light of its lamps.", 100.0 * *figures.output_ratio));
+    }
+    if (figures.seam_difference && *figures.seam_difference > noticed) {
+        sentences.push_back(fmt::format("Planes 0 and 360 are one plane but differ by {:.1f} % of the peak.",
+                                        100.0 * *figures.seam_difference));
     }
     if (figures.symmetry_found == PhotometricSymmetry::none && photometry.symmetry != PhotometricSymmetry::none) {
         sentences.emplace_back("The intensities do not have the symmetry that is declared.");
@@ -141,6 +168,9 @@ PhotometryFigures photometry_figures(const Photometry& photometry) {
     figures.flux = luminous_flux(photometry);
     figures.zone_average_flux = zone_average_flux(photometry);
     figures.declared_flux = declared_flux(photometry);
+    if (figures.declared_flux && figures.declared_flux->value > 0.0)
+        figures.flux_difference = figures.flux / *figures.declared_flux - 1.0;
+    figures.seam_difference = seam_difference(photometry);
     if (photometry.lamp_lumens > 0.0) figures.output_ratio = figures.flux.value / photometry.lamp_lumens;
     if (figures.flux.value > 0.0) figures.downward_share = downward_flux(photometry) / figures.flux;
     if (photometry.input_watts > 0.0) figures.efficacy = figures.flux.value / photometry.input_watts;

@@ -32,6 +32,8 @@ struct PhotometryFigures {
     LuminousFlux flux;                          ///< integral of the bilinear interpolant
     LuminousFlux zone_average_flux;             ///< as North American reports print
     std::optional<LuminousFlux> declared_flux;  ///< of the luminaire, where the file states one
+    std::optional<double> flux_difference;      ///< flux / declared_flux - 1
+    std::optional<double> seam_difference;      ///< of planes 0 and 360, of the peak, where the file has both
     std::optional<double> output_ratio;         ///< flux over lamp flux; empty for absolute photometry
     std::optional<double> downward_share;       ///< of the flux; empty for a dark luminaire
     std::optional<double> efficacy;             ///< lm/W; empty without watts
@@ -39,7 +41,7 @@ struct PhotometryFigures {
     PhotometricAngles peak_at;                                       ///< in the file's own angles
     PhotometricSymmetry symmetry_found = PhotometricSymmetry::none;  ///< of type C, to 1 % of the peak
     PlaneFigures plane_0, plane_90;
-    std::vector<std::string> differences;  ///< between declared and computed, one sentence each
+    std::vector<std::string> differences;  ///< above 2 % between declared and computed, one sentence each
 };
 
 /// Planes are the file's own: quarter turns against the housing change no figure.

@@ -54,6 +54,7 @@ Json declared_json(const Photometry& photometry, const PhotometryFigures& figure
             {"absolute", photometry.absolute},
             {"lamp_lumens", photometry.lamp_lumens},
             {"lamp_sets", lamp_sets_json(photometry)},
+            {"lamp_set", photometry.lamp_set + 1},
             {"input_watts", photometry.input_watts},
             {"candela_per_figure", photometry.candela_per_figure},
             {"flux_lm", figures.declared_flux ? Json(figures.declared_flux->value) : Json(nullptr)},
@@ -65,6 +66,7 @@ Json declared_json(const Photometry& photometry, const PhotometryFigures& figure
 Json computed_json(const PhotometryFigures& figures) {
     return {{"flux_lm", figures.flux.value},
             {"flux_zone_average_lm", figures.zone_average_flux.value},
+            {"flux_difference", or_null(figures.flux_difference)},
             {"output_ratio", or_null(figures.output_ratio)},
             {"downward_share", or_null(figures.downward_share)},
             {"efficacy_lm_per_w", or_null(figures.efficacy)},
@@ -72,6 +74,7 @@ Json computed_json(const PhotometryFigures& figures) {
             {"peak_horizontal_deg", figures.peak_at.horizontal_deg},
             {"peak_vertical_deg", figures.peak_at.vertical_deg},
             {"symmetry", name_of(figures.symmetry_found)},
+            {"seam_difference", or_null(figures.seam_difference)},
             {"planes", {plane_json(figures.plane_0), plane_json(figures.plane_90)}},
             {"differences", figures.differences}};
 }
@@ -80,7 +83,8 @@ Json opening_json(const MeasuredOpeningSize& opening) {
     return {{"shape", name_of(opening.shape)},
             {"extent_c0_c180_m", opening.extent_0},
             {"extent_c90_c270_m", opening.extent_90},
-            {"height_m", opening.height}};
+            {"height_m", opening.height},
+            {"side_heights_m", or_null(opening.side_heights)}};
 }
 
 Json keywords_json(const Photometry& photometry) {
@@ -101,6 +105,7 @@ Json json_of(const Photometry& photometry, std::string_view file) {
             {"declared", declared_json(photometry, figures)},
             {"computed", computed_json(figures)},
             {"opening", opening_json(photometry.opening)},
+            {"quarter_turns", photometry.quarter_turns},
             {"keywords", keywords_json(photometry)},
             {"warnings", photometry.warnings}};
 }

@@ -43,8 +43,8 @@ void add_tilt(Lines& lines, const LampTilt& tilt) {
 void add_lamps(Lines& lines, const Photometry& photometry) {
     for (std::size_t k = 0; k < photometry.lamp_sets.size(); ++k) {
         const LampSet& set = photometry.lamp_sets[k];
-        lines.add(k == 0 ? "lamp set, used" : "lamp set",
-                  "{:g} x {}, {:g} lm together, {:g} W, colour {}, rendering {}", set.count,
+        const std::string label = fmt::format("lamp set {}{}", k + 1, k == photometry.lamp_set ? ", used" : "");
+        lines.add(label, "{:g} x {}, {:g} lm together, {:g} W, colour {}, rendering {}", set.count,
                   set.type.empty() ? "lamp" : set.type, set.lumens, set.watts, set.colour, set.rendering);
     }
     if (photometry.absolute) {
@@ -59,8 +59,10 @@ void add_lamps(Lines& lines, const Photometry& photometry) {
 void add_flux(Lines& lines, const Photometry& photometry, const PhotometryFigures& figures) {
     lines.add("flux declared", "{}",
               figures.declared_flux ? fmt::format("{:.1f} lm", figures.declared_flux->value) : "not stated");
-    lines.add("flux computed", "{:.1f} lm (zone average {:.1f} lm)", figures.flux.value,
+    lines.add("flux computed", "{:.1f} lm by the exact integral, {:.1f} lm by zone averages", figures.flux.value,
               figures.zone_average_flux.value);
+    if (figures.flux_difference)
+        lines.add("flux difference", "{:+.2f} % of the declared flux", 100.0 * *figures.flux_difference);
     lines.add("output ratio", "declared {}, computed {}", share_text(photometry.declared_output_ratio),
               figures.output_ratio ? share_text(figures.output_ratio) : "not available");
     lines.add("downward share", "declared {}, computed {}", share_text(photometry.declared_downward_share),
@@ -78,6 +80,15 @@ void add_plane(Lines& lines, const PlaneFigures& plane) {
     lines.add(fmt::format("plane {:g}-{:g}", plane.plane_deg, plane.plane_deg + 180.0),
               "peak {:.1f} cd{}, beam {}, field {}", plane.peak.value, plane.upward ? " upward" : "",
               span_text(plane.beam), span_text(plane.field));
+}
+
+void add_opening(Lines& lines, const MeasuredOpeningSize& opening) {
+    lines.add("luminous opening", "{}, {:g} m along plane 0, {:g} m along plane 90, {:g} m high",
+              name_of(opening.shape), opening.extent_0, opening.extent_90, opening.height);
+    if (!opening.side_heights) return;
+    const auto& sides = *opening.side_heights;
+    lines.add("heights of sides", "{:g} m at C0, {:g} m at C90, {:g} m at C180, {:g} m at C270", sides[0], sides[1],
+              sides[2], sides[3]);
 }
 
 }  // namespace
@@ -151,9 +162,10 @@ std::string photometry_text(const Photometry& photometry) {
               figures.peak_at.vertical_deg);
     add_plane(lines, figures.plane_0);
     add_plane(lines, figures.plane_90);
-    lines.add("luminous opening", "{}, {:g} m along plane 0, {:g} m along plane 90, {:g} m high",
-              name_of(photometry.opening.shape), photometry.opening.extent_0, photometry.opening.extent_90,
-              photometry.opening.height);
+    add_opening(lines, photometry.opening);
+    if (figures.seam_difference)
+        lines.add("planes 0 and 360", "differ by {:.2g} % of the peak", 100.0 * *figures.seam_difference);
+    if (photometry.quarter_turns != 0) lines.add("turned", "by {} degrees", 90 * photometry.quarter_turns);
     for (const std::string& difference : figures.differences) lines.add("note", "{}", difference);
     for (const std::string& warning : photometry.warnings) lines.add("warning", "{}", warning);
     return lines.text();

@@ -105,6 +105,40 @@ TEST_F(CommandLine, plan_says_why_for_every_effect) {
         EXPECT_NE(out_.find(word), std::string::npos) << word;
 }
 
+TEST_F(CommandLine, photometry_prints_a_section_for_each_luminaire_of_a_container) {
+    const std::string luminaires = HANEI_SOURCE "/tests/golden/luminaires/";
+    const auto json = scratch("two.json");
+    ASSERT_EQ(run({"photometry", luminaires + "containers/two_emitters_bom.gldf", "--json", json}), exit_done) << err_;
+    EXPECT_EQ(out_.rfind("V / e1\n", 0), 0U);
+    EXPECT_NE(out_.find("\n\nV / e2, emergency only\n"), std::string::npos);
+    EXPECT_NE(content(json).find("\"luminaires\""), std::string::npos);
+    EXPECT_EQ(run({"photometry", luminaires + "malformed/gldf_08_dangling_reference.gldf"}), exit_bad_input);
+    EXPECT_NE(err_.find("PhotometryReference"), std::string::npos);
+}
+
+TEST_F(CommandLine, photometry_is_of_the_lamp_set_that_is_asked_for) {
+    const std::string file = HANEI_SOURCE "/tests/golden/luminaires/synthetic/none_isym0_two_sets.ldt";
+    ASSERT_EQ(run({"photometry", file}), exit_done);
+    EXPECT_NE(out_.find("lamp set 1, used"), std::string::npos);
+    const std::string first = out_;
+    ASSERT_EQ(run({"photometry", file, "--lamp-set", "2"}), exit_done);
+    EXPECT_NE(out_.find("lamp set 2, used"), std::string::npos);
+    EXPECT_NE(out_.substr(out_.find("flux computed"), 40), first.substr(first.find("flux computed"), 40));
+    EXPECT_EQ(run({"photometry", file, "--lamp-set", "3"}), exit_bad_input);
+    EXPECT_NE(err_.find("lamp set 3 is asked for"), std::string::npos);
+}
+
+TEST_F(CommandLine, check_tells_what_is_to_be_said_of_the_photometries) {
+    const auto project = scratch("scaled.hanei");
+    std::ofstream(project) << R"({"format": "hanei-project", "version": 1, "photometries": [{"name": "lamp",
+        "type": "C", "symmetry": "rotational", "opening": {"shape": "point"}, "horizontal_deg": [0],
+        "vertical_deg": [0, 180], "candela": [[100, 100]], "keywords": [["LuminousFlux", "1000"]],
+        "warnings": ["planes 0 and 360 differ"]}]})";
+    EXPECT_EQ(run({"check", project}), exit_answer_is_no);
+    EXPECT_NE(err_.find("photometries[0]: warning: lamp: planes 0 and 360 differ"), std::string::npos) << err_;
+    EXPECT_NE(err_.find("declares 1000 lm; its intensities integrate to 1257 lm"), std::string::npos) << err_;
+}
+
 TEST_F(CommandLine, every_start_room_passes_its_check) {
     for (const auto& entry : std::filesystem::directory_iterator(rooms)) {
         if (entry.path().extension() != ".hanei") continue;

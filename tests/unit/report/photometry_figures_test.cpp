@@ -41,6 +41,42 @@ TEST(PhotometryFigures, of_a_cosine_light_are_those_of_the_textbook) {
     EXPECT_TRUE(figures.differences.empty());
 }
 
+TEST(PhotometryFigures, flux_that_differs_from_the_declared_by_more_than_two_percent_is_told) {
+    Photometry light = cosine_light();
+    light.lamp_sets = {{1.0, "", 4000.0, "", "", 50.0}, {1.0, "", 1000.0, "", "", 20.0}};
+    light.declared_output_ratio = 1000.0 * std::numbers::pi / 4000.0;
+    EXPECT_NEAR(*photometry_figures(light).flux_difference, 0.0, 1e-4);
+    EXPECT_TRUE(photometry_figures(light).differences.empty());
+    light.lamp_set = 1;
+    EXPECT_NEAR(*photometry_figures(light).flux_difference, 3.0, 1e-3);
+    ASSERT_EQ(photometry_figures(light).differences.size(), 1U);
+    EXPECT_EQ(photometry_figures(light).differences[0],
+              "The file declares 785 lm; its intensities integrate to 3142 lm, a difference of +300.0 %.");
+}
+
+TEST(PhotometryFigures, the_flux_a_file_states_by_a_keyword_is_compared_too) {
+    for (const char* key : {"LuminousFlux", "_ABSOLUTELUMENS", "GLDF rated flux"}) {
+        Photometry light = cosine_light();
+        light.keywords = {{key, "3141.6 lm"}};
+        ASSERT_TRUE(photometry_figures(light).flux_difference) << key;
+        EXPECT_NEAR(*photometry_figures(light).flux_difference, 0.0, 1e-4) << key;
+    }
+    EXPECT_FALSE(photometry_figures(cosine_light()).flux_difference);
+}
+
+TEST(PhotometryFigures, planes_0_and_360_are_compared_where_both_are_there) {
+    Photometry light = cosine_light();
+    EXPECT_FALSE(photometry_figures(light).seam_difference);
+    const std::vector<double> row = light.candela;
+    light.symmetry = PhotometricSymmetry::none;
+    light.horizontal_deg = {0.0, 180.0, 360.0};
+    light.candela.insert(light.candela.end(), row.begin(), row.end());
+    light.candela.insert(light.candela.end(), row.begin(), row.end());
+    EXPECT_EQ(*photometry_figures(light).seam_difference, 0.0);
+    light.candela.back() = 100.0;
+    EXPECT_NEAR(*photometry_figures(light).seam_difference, 0.1, 1e-12);
+}
+
 TEST(PhotometryFigures, an_upward_light_is_measured_from_the_zenith) {
     Photometry up = cosine_light();
     for (double& gamma : up.vertical_deg) gamma += 90.0;
