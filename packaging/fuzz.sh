@@ -10,7 +10,7 @@ seconds=${1:-600}
 cmake -S "$root/tests/fuzz" -B "$root/build/fuzz" -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 >/dev/null
 cmake --build "$root/build/fuzz"
 cd "$root/build/fuzz"
-for fuzzer in read_"${2:-*}"; do
+for fuzzer in read_${2:-*}; do
     [ -x "$fuzzer" ] || { echo "fuzz.sh: there is no reader ${fuzzer#read_}" >&2; exit 2; }
     target=${fuzzer#read_}
     "$root/tests/fuzz/run.sh" "$target" "./$fuzzer" "corpus/$target" "$root/../shared" \

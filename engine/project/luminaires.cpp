@@ -2,6 +2,7 @@
 
 #include "engine/project/gldf_container.h"
 #include "engine/project/gldf_file.h"
+#include "engine/project/gltf_lights.h"
 #include "engine/project/luminaire_file.h"
 #include "engine/project/luminaire_text.h"
 
@@ -53,19 +54,28 @@ LuminairesRead read_container(std::string_view bytes, std::string_view name) {
     return {std::move(read.luminaires), std::move(read.findings)};
 }
 
+LuminairesRead read_scene(std::string_view bytes, std::string_view name, const GltfNeighbour& neighbour) {
+    GltfRead read = read_gltf(bytes, name, neighbour);
+    LuminairesRead result{{}, std::move(read.findings)};
+    for (GltfLight& light : read.lights) result.luminaires.push_back(std::move(light.luminaire));
+    return result;
+}
+
 }  // namespace
 
 LuminairesRead read_luminaires(const std::filesystem::path& file) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);  // of a plain file: a pipe would wait
     if (error) return unread(file, "cannot be read: " + error.message());
-    constexpr std::size_t head = 4;
+    constexpr std::size_t head = 64;
     const std::optional<std::string> beginning = bytes_of(file, head);
+    const bool scene = beginning && looks_like_gltf(*beginning);
     const bool container = beginning && is_container(*beginning, file.string());
-    const std::uintmax_t most = container ? most_bytes : most_text_bytes;
+    const std::uintmax_t most = scene || container ? most_bytes : most_text_bytes;
     if (size > most) return unread(file, fmt::format("{} bytes; {} can be read at most", size, most));
     const std::optional<std::string> bytes = bytes_of(file, static_cast<std::size_t>(size));
     if (!bytes) return unread(file, "cannot be read");
+    if (scene) return read_scene(*bytes, file.string(), gltf_neighbours(file));
     if (container) return read_container(*bytes, file.string());
     LuminairesRead read = named(read_luminaire_texts(*bytes, file.string(), files_beside(file)));
     for (NamedPhotometry& luminaire : read.luminaires) {
@@ -75,6 +85,7 @@ LuminairesRead read_luminaires(const std::filesystem::path& file) {
 }
 
 LuminairesRead read_luminaires(std::string_view bytes, std::string_view name) {
+    if (looks_like_gltf(bytes)) return read_scene(bytes, name, {});
     return is_container(bytes, name) ? read_container(bytes, name) : named(read_luminaire_texts(bytes, name));
 }
 

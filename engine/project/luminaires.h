@@ -23,8 +23,8 @@ struct LuminairesRead {
 };
 
 /// Recognises the format by content: LM-63 and EULUMDAT hold one luminaire, TM-33 one but
-/// where its emitters cannot be summed, GLDF containers any number. At most 16 MB of text, 256 MB of a
-/// container.
+/// where its emitters cannot be summed, GLDF containers and glTF scenes any number. At most 16 MB of text,
+/// 256 MB of a container or scene.
 ///
 /// Returns   what can be used. A container keeps its good luminaires when another one is broken: the
 ///           findings then hold errors beside luminaires.

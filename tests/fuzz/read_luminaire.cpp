@@ -1,12 +1,13 @@
 // The common door: what a file is, is found in its content.
 
 #include "engine/base/check.h"
-#include "engine/project/luminaire_file.h"
+#include "engine/project/luminaires.h"
 #include "tests/fuzz/what_holds.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    const hanei::LuminaireFileRead read = hanei::read_luminaire_text(hanei::text_of(bytes, count), "file");
-    hanei::check_findings(read.findings, read.photometry.has_value());
-    if (read.photometry) hanei::check_photometry(*read.photometry);
+    const hanei::LuminairesRead read = hanei::read_luminaires(hanei::text_of(bytes, count), "file");
+    hanei::check_findings(read.findings, !hanei::has_errors(read.findings));
+    HANEI_CHECK(!read.luminaires.empty() || hanei::has_errors(read.findings));
+    for (const hanei::NamedPhotometry& luminaire : read.luminaires) hanei::check_photometry(luminaire.photometry);
     return 0;
 }

@@ -9,7 +9,8 @@ shift 4
 [ -x "$fuzzer" ] || { echo "skipped: $fuzzer is not built; it needs clang++-14 and its libFuzzer"; exit 77; }
 
 case $target in
-    ies | ldt | gldf) names=(-name "*.$target") ;;
+    ies | ldt) names=(-name "*.$target") ;;
+    gldf) names=(-name '*.gldf' -o -name product.xml) ;;
     tm33) names=(-name '*.xml') ;;
     luminaire) names=(-name '*.ies' -o -name '*.ldt' -o -name '*.xml') ;;
     project) names=(-name '*.hanei') ;;

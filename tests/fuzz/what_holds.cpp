@@ -115,9 +115,11 @@ void check_project(const Project& project) {
 
 void check_reader(LuminaireReader reader, const std::uint8_t* bytes, std::size_t count) {
     LuminaireFindings findings{"file"};
-    const Photometry photometry = reader(decoded_text(text_of(bytes, count)), findings);
+    const std::vector<Photometry> photometries = reader(decoded_text(text_of(bytes, count)), findings);
     check_findings(findings.diagnostics(), !findings.failed());
-    if (!findings.failed()) check_photometry(photometry);
+    if (findings.failed()) return;
+    HANEI_CHECK(!photometries.empty());
+    for (const Photometry& photometry : photometries) check_photometry(photometry);
 }
 
 }  // namespace hanei

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace hanei {
 
@@ -27,7 +28,7 @@ void check_photometry(const Photometry& photometry);
 void check_project(const Project& project);
 
 /// One of the readers of luminaire files, as the common door calls it.
-using LuminaireReader = Photometry (*)(std::string_view text, LuminaireFindings& findings);
+using LuminaireReader = std::vector<Photometry> (*)(std::string_view text, LuminaireFindings& findings);
 void check_reader(LuminaireReader reader, const std::uint8_t* bytes, std::size_t count);
 
 }  // namespace hanei

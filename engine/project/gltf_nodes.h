@@ -1,0 +1,25 @@
+/// The nodes of a glTF scene and where they stand.
+#pragma once
+
+#include "engine/project/json_fields.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace hanei {
+
+struct GltfNode {
+    std::size_t number = 0;
+    glm::dmat4 to_world{1.0};  ///< in the file's axes: y up
+};
+
+/// The nodes of the scene that the file shows first, parents before their children, in the file's order.
+///
+/// Returns   none, with an error, when an index counts no node, a node has two parents or is its own
+///           ancestor, or a transformation is not finite.
+/// Cost      linear in the nodes; no recursion.
+std::vector<GltfNode> placed_nodes(JsonReading& reading, const JsonValue& root);
+
+}  // namespace hanei
