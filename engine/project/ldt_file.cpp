@@ -116,7 +116,9 @@ double read_lamps(LdtLines& lines, Photometry& photometry, LuminaireFindings& fi
         findings.warn(line, "number of lamp sets", "0: the flux is unknown; 1000 lm are taken");
         return 1000.0;
     }
-    if (sets > 1) findings.warn(line, "number of lamp sets", fmt::format("{}; the first one is used", sets));
+    if (sets > 1)
+        findings.warn(line, "number of lamp sets",
+                      fmt::format("{} alternatives; the first is used until another is chosen", sets));
     const LampSet& first = photometry.lamp_sets.front();
     photometry.absolute = first.count < 0.0;
     photometry.lamps = static_cast<int>(std::clamp(std::abs(first.count), 0.0, 1e6));
