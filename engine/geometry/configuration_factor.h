@@ -30,8 +30,9 @@ struct Receiver {
 ///
 /// Returns   0 to 1, never NaN; 0 when the polygon faces away, has no area or lies in the
 ///           receiver's plane; 1 where the point lies in the polygon and they face each other.
-/// Holds     a few roundings of the form factor for openings of any size and distance that the receiver
-///           sees well; 1e-14 always, but nearer to an edge than 1e-3 of the distance 1e-16 over that share.
+/// Holds     1e-15 of the form factor in the median and 1e-12 at worst where rounding the coordinates
+///           does not move it by more than 1e-15; 1e-14 of one elsewhere (5e-14 for polygons 1000 times as
+///           wide as they are far), but near an edge 1e-16 over the share of the distance that is left.
 /// Weak when the point lies on an edge of the polygon and `inward` is zero.
 /// Cost      25 ns an edge for quadrilaterals, 15 for outlines of many corners; no allocation for up to 32;
 ///           any thread.

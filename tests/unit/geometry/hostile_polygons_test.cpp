@@ -134,7 +134,7 @@ const Class classes[] = {
     {"generic", generic, 1e-15, 2e-13, 1e-12, 3e-14},
     {"small far", small_far, 1e-15, 3e-14, 1e-14, 3e-18},
     {"tiny far", tiny_far, 1e-15, 2e-14, 1e-14, 3e-22},
-    {"just above the plane", near_the_plane, 1e-11, 2e-7, 1e-13, 3e-13},
+    {"just above the plane", near_the_plane, 1e-11, 2e-7, 1e-13, 2e-12},
     {"near an edge", near_an_edge, 1e-10, 2e-6, 1e-9, 1e-6},
     {"in line with an edge", in_line_with_an_edge, 1e-9, 1e-5, 1e-12, 1e-15},
     {"near-duplicate corners", near_duplicates, 1e-15, 2e-13, 1e-12, 3e-14},
