@@ -2,7 +2,6 @@
 
 #include "app/exit_code.h"
 #include "app/files.h"
-#include "engine/project/luminaire_file.h"
 #include "engine/project/luminaires.h"
 #include "engine/project/project_file.h"
 #include "ui/panels/edit.h"
@@ -60,10 +59,6 @@ ProjectDoor project_door() {
     door.open = open_content;
     door.save = [](const ProjectContent& content, const std::filesystem::path& file) {
         return write_project({content.scene, content.settings}, file);
-    };
-    door.read_luminaire = [](const std::filesystem::path& file) {
-        LuminaireFileRead read = read_luminaire_file(file);
-        return Opened<Photometry>{std::move(read.photometry), std::move(read.findings)};
     };
     door.read_luminaires = photometries_of;
     return door;

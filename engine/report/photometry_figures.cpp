@@ -1,5 +1,7 @@
 #include "engine/report/photometry_figures.h"
 
+#include "engine/scene/point_certificate.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -179,6 +181,8 @@ PhotometryFigures photometry_figures(const Photometry& photometry) {
     figures.symmetry_found = symmetry_found(photometry);
     figures.plane_0 = plane_figures(photometry, 0.0);
     figures.plane_90 = plane_figures(photometry, 90.0);
+    const double far = PointCertificate(photometry).distance_for(point_error);
+    if (std::isfinite(far)) figures.point_distance = far;
     figures.differences = differences(photometry, figures);
     return figures;
 }

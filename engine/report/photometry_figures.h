@@ -28,6 +28,9 @@ struct PlaneFigures {
     std::optional<AngleSpan> field;  ///< 10 %
 };
 
+/// What taking an opening for a point may cost at most, of peak intensity / distance squared.
+inline constexpr double point_error = 0.005;
+
 struct PhotometryFigures {
     LuminousFlux flux;                          ///< integral of the bilinear interpolant
     LuminousFlux zone_average_flux;             ///< as North American reports print
@@ -41,6 +44,7 @@ struct PhotometryFigures {
     PhotometricAngles peak_at;                                       ///< in the file's own angles
     PhotometricSymmetry symmetry_found = PhotometricSymmetry::none;  ///< of type C, to 1 % of the peak
     PlaneFigures plane_0, plane_90;
+    std::optional<double> point_distance;  ///< m, from where on the opening may be taken for a point (point_error)
     std::vector<std::string> differences;  ///< above 2 % between declared and computed, one sentence each
 };
 

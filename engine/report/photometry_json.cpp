@@ -76,6 +76,7 @@ Json computed_json(const PhotometryFigures& figures) {
             {"symmetry", name_of(figures.symmetry_found)},
             {"seam_difference", or_null(figures.seam_difference)},
             {"planes", {plane_json(figures.plane_0), plane_json(figures.plane_90)}},
+            {"point_distance_m", or_null(figures.point_distance)},
             {"differences", figures.differences}};
 }
 

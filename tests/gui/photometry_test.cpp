@@ -26,7 +26,7 @@ protected:
     }
 
     static ProjectContent content(const std::string& file) {
-        Photometry photometry = *project_door().read_luminaire(measured(file)).content;
+        Photometry photometry = project_door().read_luminaires(measured(file)).content->front();
         Added added = with_measured_luminaire(empty_room(), std::move(photometry));
         added.scene.luminaires.front().name = "Washer";
         return {std::move(added.scene), {}};
@@ -135,7 +135,7 @@ TEST_F(ThePhotometryPanel, fits_the_side_of_small_and_dense_screens) {
 
 /// A EULUMDAT file with two lamp sets: half and full light.
 TEST(ALampSet, is_chosen_among_those_of_the_file_and_scales_the_light) {
-    Photometry photometry = *project_door().read_luminaire(measured("downlight.ies")).content;
+    Photometry photometry = project_door().read_luminaires(measured("downlight.ies")).content->front();
     photometry.lamp_sets = {{1.0, "LED", 2000.0, "4000 K", "1B", 17.0},
                             {1.0, "LED, high output", 3000.0, "", "", 27.0}};
     Added added = with_measured_luminaire(empty_room(), photometry);

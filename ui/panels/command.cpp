@@ -109,7 +109,8 @@ constexpr std::array table{
     Command{add_line_luminaire, "add.line", "Add", "Line luminaire", "A diffuse tube, 1.2 m long", {}},
     Command{add_point_luminaire, "add.point", "Add", "Point luminaire", "A small lamp shining evenly all around", {}},
     Command{add_luminaire_file, "add.file", "Add", "Luminaire from file...",
-            "A luminaire as an IES (.ies) or EULUMDAT (.ldt) file measures it", control('L')},
+            "A luminaire as a file measures it: IES, EULUMDAT, TM-33, GLDF, glTF. Or drop the file on the room",
+            control('L')},
     Command{add_box, "add.box", "Add", "Furniture box", "A box to stand on the floor", control('B'), {}, true},
     Command{add_grid, "add.grid", "Add", "Calculation grid", "A grid at desk height over the room", {}, {}, true},
     Command{add_calculation_point,
@@ -144,6 +145,8 @@ constexpr std::array table{
     Command{toggle_isolux, "view.isolux", "View", "Isolux lines", "Lines of equal illuminance", plain('I')},
     Command{toggle_mesh, "view.mesh", "View", "Patches", "Outlines of the patches", plain('M')},
     Command{toggle_grids, "view.grids", "View", "Calculation points", "Show where illuminance is reported", plain('N')},
+    Command{toggle_body, "view.body", "View", "Photometric body",
+            "The intensities of the selected luminaire as a body of wire", plain('B')},
     Command{fit_range, "view.fit_range", "View", "Fit the scale", "Fit the colour scale to the values in the room",
             plain('R')},
 

@@ -48,6 +48,7 @@ enum class CommandId {
     toggle_isolux,
     toggle_mesh,
     toggle_grids,
+    toggle_body,
     fit_range,
     show_keys,
     show_about,

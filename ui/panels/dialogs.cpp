@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <imgui.h>
+#include <optional>
 #include <utility>
 
 namespace hanei {
@@ -52,7 +53,7 @@ constexpr std::array mouse_map{
 }  // namespace
 
 std::string_view name_of(Dialogs::Kind kind) {
-    constexpr std::array names{"none", "unsaved", "findings", "keys", "about"};
+    constexpr std::array names{"none", "unsaved", "findings", "choice", "keys", "about"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -77,6 +78,15 @@ void Dialogs::show_findings(std::string title, Diagnostics findings) {
     title_ = std::move(title);
     findings_ = std::move(findings);
     show(Kind::findings);
+}
+
+void Dialogs::ask_choice(std::string title, std::string text, std::vector<std::string> entries,
+                         std::function<void(std::size_t)> chosen) {
+    title_ = std::move(title);
+    text_ = std::move(text);
+    entries_ = std::move(entries);
+    chosen_ = std::move(chosen);
+    show(Kind::choice);
 }
 
 bool Dialogs::begin(const char* title, float width) {
@@ -120,6 +130,27 @@ void Dialogs::findings(WidgetRegistry& widgets) {
     if (dialog_button("OK", "findings.ok", widgets) || key_pressed(ImGuiKey_Enter) || key_pressed(ImGuiKey_Escape))
         close();
     ImGui::EndPopup();
+}
+
+void Dialogs::choice(WidgetRegistry& widgets) {
+    if (!begin(title_.c_str(), 480.0F)) return;
+    ImGui::TextWrapped("%s", text_.c_str());
+    constexpr std::size_t most_rows = 12;
+    const auto rows = static_cast<float>(std::min(entries_.size(), most_rows));
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    ImGui::BeginChild("entries", {0.0F, rows * row + 8.0F * style::scale()});
+    std::optional<std::size_t> picked;
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+        const std::string label = entries_[k] + "##" + std::to_string(k);
+        if (ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_DontClosePopups)) picked = k;
+        widgets.note("choice." + std::to_string(k + 1));
+    }
+    ImGui::EndChild();
+    buttons_from_right(1);
+    const bool cancel = dialog_button("Cancel", "choice.cancel", widgets) || key_pressed(ImGuiKey_Escape);
+    if (cancel || picked) close();
+    ImGui::EndPopup();
+    if (picked) std::exchange(chosen_, nullptr)(*picked);
 }
 
 void Dialogs::keys(WidgetRegistry& widgets) {
@@ -177,6 +208,8 @@ void Dialogs::draw(WidgetRegistry& widgets) {
             return unsaved(widgets);
         case Kind::findings:
             return findings(widgets);
+        case Kind::choice:
+            return choice(widgets);
         case Kind::keys:
             return keys(widgets);
         case Kind::about:

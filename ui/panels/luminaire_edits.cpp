@@ -24,17 +24,6 @@ std::vector<Luminaire*> affected(Scene& scene, ObjectId id, bool all) {
     return found;
 }
 
-/// The id of an equal photometry of the scene; else of this one, added.
-ObjectId kept(Scene& scene, Photometry photometry) {
-    for (const Photometry& present : scene.photometries) {
-        photometry.id = present.id;
-        if (present == photometry) return present.id;
-    }
-    photometry.id = scene.new_id();
-    scene.photometries.push_back(std::move(photometry));
-    return scene.photometries.back().id;
-}
-
 }  // namespace
 
 const Luminaire* find_luminaire(const Scene& scene, ObjectId id) {
@@ -54,12 +43,22 @@ int users_of(const Scene& scene, ObjectId photometry) {
                                           [&](const Luminaire& luminaire) { return uses(luminaire, photometry); }));
 }
 
+ObjectId photometry_in(Scene& scene, Photometry photometry) {
+    for (const Photometry& present : scene.photometries) {
+        photometry.id = present.id;
+        if (present == photometry) return present.id;
+    }
+    photometry.id = scene.new_id();
+    scene.photometries.push_back(std::move(photometry));
+    return scene.photometries.back().id;
+}
+
 Scene with_photometry(Scene scene, ObjectId luminaire, Photometry photometry, bool all) {
     const std::vector<Luminaire*> changed = affected(scene, luminaire, all);
     if (changed.empty()) return scene;
     const auto* measured = std::get_if<Measured>(&changed.front()->distribution);
     const ObjectId before = measured != nullptr ? measured->photometry : ObjectId{};
-    const ObjectId after = kept(scene, std::move(photometry));
+    const ObjectId after = photometry_in(scene, std::move(photometry));
     for (Luminaire* each : changed) each->distribution = Measured{after};
     if (users_of(scene, before) == 0) {
         std::erase_if(scene.photometries, [&](const Photometry& present) { return present.id == before; });

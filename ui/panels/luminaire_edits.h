@@ -22,6 +22,9 @@ const Photometry* photometry_of(const Scene& scene, const Luminaire& luminaire);
 /// How many luminaires shine as this photometry says.
 int users_of(const Scene& scene, ObjectId photometry);
 
+/// The id of an equal photometry of the scene; else that of this one, which joins the scene.
+ObjectId photometry_in(Scene& scene, Photometry photometry);
+
 /// The luminaire shines as `photometry` says, and with it all that share its present one when `all`
 /// is set. A photometry the scene holds already is used again, one that nobody uses any longer is dropped.
 Scene with_photometry(Scene scene, ObjectId luminaire, Photometry photometry, bool all);

@@ -1,4 +1,5 @@
 #include "ui/panels/edit.h"
+#include "ui/panels/hanging.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,16 +83,8 @@ Added with_panel_luminaire(Scene scene) {
 }
 
 Added with_measured_luminaire(Scene scene, Photometry photometry) {
-    const RoomMiddle middle = middle_of(scene);
-    photometry.id = scene.new_id();
-    Luminaire luminaire;
-    luminaire.name = numbered(photometry.name.empty() ? "Luminaire" : photometry.name.c_str(), scene.luminaires);
-    luminaire.position = middle.at(std::max(middle.floor, middle.ceiling - photometry.opening.height - 0.05));
-    luminaire.opening = MeasuredOpening{};
-    luminaire.distribution = Measured{photometry.id};
-    luminaire.output = AsMeasured{};
-    scene.photometries.push_back(std::move(photometry));
-    return with_luminaire(std::move(scene), std::move(luminaire));
+    const Vec2 middle(middle_of(scene).at(0.0));
+    return with_measured_luminaires(std::move(scene), {std::move(photometry)}, middle);
 }
 
 Added with_box(Scene scene) {

@@ -178,6 +178,12 @@ void figure_rows(const Photometry& photometry, const PhotometryFigures& figures,
     span_rows(figures, figures.symmetry_found == PhotometricSymmetry::rotational);
     figure("Symmetry", std::string(name_of(figures.symmetry_found)), "As the intensities show it, to 1 % of the peak");
     figure("Opening", opening_text(photometry), "Along plane 0, along plane 90, and its height");
+    figure("As a point",
+           figures.point_distance
+               ? fmt::format("beyond {:.2f} m: error ≤ {:g} %", *figures.point_distance, 100.0 * point_error)
+               : "at no distance",
+           "From where on the opening may be taken for a point, proved from the table: the error is a share of peak "
+           "intensity over distance squared");
     figure("Format", fmt::format("{}, type {}", photometry.format, name_of(photometry.type)));
     const std::size_t planes = photometry.horizontal_deg.size();
     figure("Table",

@@ -27,7 +27,6 @@ struct Opened {
 struct ProjectDoor {
     std::function<Opened<ProjectContent>(const std::filesystem::path&)> open;
     std::function<std::optional<Diagnostic>(const ProjectContent&, const std::filesystem::path&)> save;
-    std::function<Opened<Photometry>(const std::filesystem::path&)> read_luminaire;
     /// Every luminaire of a file, each under the name a list of them shows; empty content when there is none.
     std::function<Opened<std::vector<Photometry>>(const std::filesystem::path&)> read_luminaires;
 };

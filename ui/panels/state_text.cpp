@@ -65,6 +65,8 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     state["title"] = document.title();
     state["message"] = workbench.message();
     state["dialog"] = std::string(name_of(workbench.dialogs().kind()));
+    state["finding"] =
+        workbench.dialogs().shown_findings().empty() ? "" : workbench.dialogs().shown_findings().front().message;
     state["browser"] = truth(workbench.browser().is_open());
     state["snap"] = truth(workbench.is_snapping());
     state["part"] =

@@ -56,6 +56,15 @@ std::optional<ImVec2> Viewport::on_pane(const Pane& pane, const Vec3& place) con
 
 std::optional<ImVec2> Viewport::on_screen(const Vec3& place) const { return on_pane(pane_, place); }
 
+Viewport::Pointed Viewport::pointed(const Scene& scene, ImVec2 at) const {
+    for (int k = 0; k < (state.four_up ? 4 : 1); ++k) {
+        if (!panes_[k].holds(at)) continue;
+        const Vec2 within = panes_[k].within(at);
+        return {ray_through(state.camera, within, aspect()), pick(scene, state.camera, within, aspect())};
+    }
+    return {};
+}
+
 ViewOptions Viewport::options_of(const Input& input, int k) const {
     ViewOptions look = state.options;
     look.dark_background = true;
@@ -130,6 +139,7 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
         const Pane& each = panes_[k];
         draw_list.PushClipRect({each.left, each.top}, {each.left + each.width, each.top + each.height}, true);
         draw_isolux_labels(input, each, k);
+        draw_planes(input, each, widgets);
         draw_handles(input, each, widgets);
         if (state.four_up) draw_title(each, heading_of(four_parts[k]));
         draw_list.PopClipRect();

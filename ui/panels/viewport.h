@@ -17,8 +17,9 @@ namespace hanei {
 struct ViewState {
     Camera camera;
     ViewOptions options;
-    bool four_up = false;       ///< total, direct, unshadowed and interreflected at once
-    bool range_fitted = false;  ///< the colour range was set by the user or from a solution
+    bool four_up = false;           ///< total, direct, unshadowed and interreflected at once
+    bool photometric_body = false;  ///< of the chosen luminaire, as wire
+    bool range_fitted = false;      ///< the colour range was set by the user or from a solution
 };
 
 /// Mouse: left chooses, and drags what is chosen; on the room it turns the view. Right turns,
@@ -46,6 +47,14 @@ public:
     bool dragging() const { return drag_.has_value(); }
     bool moving() const { return drag_.has_value() || turning_; }
     const std::optional<Probe>& probe() const { return probe_; }
+
+    /// What lies at a place of the screen.
+    struct Pointed {
+        std::optional<Ray> ray;  ///< empty beside the pictures
+        ObjectId object;
+    };
+    Pointed pointed(const Scene& scene, ImVec2 at) const;
+    float right_edge() const { return panes_[state.four_up ? 1 : 0].left + panes_[0].width; }
 
     /// Where a place of the room is on the screen, in the (first) picture. Empty behind the eye.
     std::optional<ImVec2> on_screen(const Vec3& place) const;
@@ -82,11 +91,16 @@ private:
     Outcome handle_drag(const Input& input, const Pane& pane);
     void read_light(const Input& input, const Pane& pane, bool hovered);
     void draw_handles(const Input& input, const Pane& pane, WidgetRegistry& widgets);
+    void draw_planes(const Input& input, const Pane& pane, WidgetRegistry& widgets) const;
+    void draw_body(const Luminaire& luminaire, const Photometry& photometry, double peak_length,
+                   const Pane& pane) const;
+    void draw_line(const Pane& pane, const std::vector<Vec3>& places, ImU32 colour, float width) const;
     ViewOptions options_of(const Input& input, int k) const;
     void draw_title(const Pane& pane, const std::string& text) const;
     void draw_readout(const Input& input, const Pane& all) const;
     std::optional<Axis> handle_under(const Input& input, const Pane& pane, ImVec2 at) const;
     std::optional<ImVec2> on_pane(const Pane& pane, const Vec3& place) const;
+    std::vector<std::vector<ImVec2>> on_pane(const Pane& pane, const std::vector<Vec3>& places) const;
     double handle_length(const Vec3& place) const;
 
     Pane pane_;  ///< the first picture

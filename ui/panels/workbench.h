@@ -11,6 +11,8 @@
 #include "ui/panels/photometry_panel.h"
 #include "ui/panels/viewport.h"
 
+#include <deque>
+
 namespace hanei {
 
 /// Needs     a present ImGui context with style::apply() called; one thread. Pictures are exported
@@ -27,6 +29,8 @@ public:
 
     void draw(const ViewPainter& paint);  ///< between ImGui::NewFrame and ImGui::Render
     void after_frame();                   ///< after the frame was painted: writes pictures that were asked for
+
+    void drop(const std::vector<std::filesystem::path>& files);  ///< from outside, where the pointer is
 
     void carry_out(CommandId id);
     bool can(CommandId id) const;
@@ -71,6 +75,20 @@ private:
     void write(const std::filesystem::path& file, const std::function<void()>& then);
     void add_luminaire_file();
     void replace_luminaire_file();
+
+    /// Luminaire files on their way into the scene.
+    struct Arrival {
+        std::deque<std::filesystem::path> files;  ///< not read yet
+        std::vector<Photometry> read;
+        Diagnostics faults;
+        Vec2 place{0.0};    ///< in the plan, to hang at
+        ObjectId replaced;  ///< the luminaire whose light they replace; nothing: they hang as new ones
+    };
+    void receive(Arrival arrival);
+    void read_next();
+    void ask_which(const std::filesystem::path& file, std::vector<Photometry> found);
+    void finish_arrival();
+    double raster() const { return snaps_ ? 0.1 : 0.0; }  ///< m
     void ask_for_picture();
     void guarded(std::function<void()> then);  ///< asks about unsaved changes first
     std::filesystem::path folder() const;
@@ -86,6 +104,7 @@ private:
     Dialogs dialogs_;
     FileBrowser browser_;
 
+    Arrival arrival_;
     ObjectId selected_;
     bool snaps_ = true;
     bool quits_ = false;

@@ -58,6 +58,7 @@ void Workbench::menu_bar() {
         if (entry.id == CommandId::redo && can(entry.id)) label += " " + document_.history().redo_name();
         const bool ticked = (entry.id == CommandId::toggle_snap && snaps_) ||
                             (entry.id == CommandId::four_up && viewport_.state.four_up) ||
+                            (entry.id == CommandId::toggle_body && viewport_.state.photometric_body) ||
                             (entry.id == CommandId::toggle_isolux && viewport_.state.options.isolux) ||
                             (entry.id == CommandId::toggle_photo && viewport_.state.options.scale == Scale::photo);
         const bool wished = ImGui::MenuItem((label + "###" + std::string(entry.name)).c_str(),
@@ -186,7 +187,7 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     const ScreenRect view{area.left, area.top + bar, area.right, area.bottom};
     ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);
     begin_panel("##view", view, false);
-    const Viewport::Input input{document_.shown(), study_.solution(), selected_, snaps_ ? 0.1 : 0.0, !study_.fresh()};
+    const Viewport::Input input{document_.shown(), study_.solution(), selected_, raster(), !study_.fresh()};
     const Viewport::Outcome outcome = viewport_.draw(input, paint, widgets_);
     legend(viewport_.state, view, widgets_);
     end_panel();

@@ -166,6 +166,9 @@ void Workbench::carry_out(CommandId id) {
         case CommandId::toggle_grids:
             view.options.grids = !view.options.grids;
             return;
+        case CommandId::toggle_body:
+            view.photometric_body = !view.photometric_body;
+            return;
         case CommandId::fit_range:
             view.options.range = suggested_range(*study_.solution());
             return;

@@ -54,31 +54,6 @@ void Workbench::write(const std::filesystem::path& file, const std::function<voi
     if (then) then();
 }
 
-void Workbench::add_luminaire_file() {
-    browser_.open(
-        {"Add a luminaire", "Add", {".ies", ".ldt"}, false, folder(), ""}, [this](const std::filesystem::path& file) {
-            Opened<Photometry> opened = door_.read_luminaire(file);
-            if (!opened.findings.empty()) {
-                dialogs_.show_findings(opened.content ? "Read, with remarks" : "This luminaire file cannot be used",
-                                       opened.findings);
-            }
-            if (opened.content)
-                add(with_measured_luminaire(*document_.shown(), *opened.content), "Add luminaire from file");
-        });
-}
-
-void Workbench::replace_luminaire_file() {
-    browser_.open({"Use another luminaire file", "Use", {".ies", ".ldt"}, false, folder(), ""},
-                  [this](const std::filesystem::path& file) {
-                      Opened<Photometry> opened = door_.read_luminaire(file);
-                      if (!opened.content)
-                          return dialogs_.show_findings("This luminaire file cannot be used", opened.findings);
-                      document_.commit(
-                          with_other_file(*document_.shown(), selected_, *opened.content, photometry_.reaches_all()),
-                          "Use another luminaire file");
-                  });
-}
-
 void Workbench::ask_for_picture() {
     browser_.open({"Export the picture", "Export", {".png"}, true, folder(), document_.title() + ".png"},
                   [this](const std::filesystem::path& file) { picture_ = file; });

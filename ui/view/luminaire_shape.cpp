@@ -3,6 +3,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/scene/placement.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -50,6 +51,22 @@ LuminaireShape prism(const Polygon& loop, double height) {
     return shape;
 }
 
+/// A box whose sides shine up to heights of their own: at planes 0, 90, 180 and 270, from its bottom.
+LuminaireShape sided_box(double half_x, double half_y, double height, const std::array<double, 4>& sides) {
+    LuminaireShape shape = prism(rectangle(half_x, half_y, -0.5 * height), 0.0);
+    const Polygon bottom = rectangle(half_x, half_y, -0.5 * height);
+    constexpr std::array<std::size_t, 4> plane_of_edge{3, 0, 1, 2};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec3 up{0.0, 0.0, sides[plane_of_edge[k]]};
+        if (!(up.z > 0.0)) continue;
+        const Vec3 from = bottom[k], to = bottom[(k + 1) % 4];
+        const Polygon side{from, to, to + up, from + up};
+        shape.shining.push_back(side);
+        outline_loop(shape, side);
+    }
+    return shape;
+}
+
 LuminaireShape ellipsoid(const Vec3& half) {
     LuminaireShape shape;
     constexpr int belts = 8;
@@ -86,7 +103,7 @@ LuminaireShape local_shape(const MeasuredOpeningSize& size) {
         case OpeningShape::rectangle:
             return prism(rectangle(x, y, 0.0), 0.0);
         case OpeningShape::box:
-            return prism(rectangle(x, y, 0.0), z);
+            return size.side_heights ? sided_box(x, y, z, *size.side_heights) : prism(rectangle(x, y, 0.0), z);
         case OpeningShape::circle:
         case OpeningShape::ellipse:
             return prism(ellipse(x, y, 0.0), 0.0);

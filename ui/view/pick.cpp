@@ -185,6 +185,21 @@ std::optional<SurfaceHit> hit(const Solution& solution, const Ray& ray) {
     return nearest;
 }
 
+std::optional<FaceHit> first_face(const Scene& scene, const Ray& ray) {
+    std::optional<FaceHit> first;
+    double nearest = never;
+    for (const Face& face : faces_of(scene)) {
+        if (glm::dot(face.normal, ray.direction) >= 0.0) continue;
+        for (const Polygon& piece : convex_pieces(face.region)) {
+            const double distance = distance_to(ray, piece);
+            if (distance >= nearest) continue;
+            nearest = distance;
+            first = FaceHit{ray.origin + distance * ray.direction, face.normal};
+        }
+    }
+    return first;
+}
+
 ObjectId pick(const Scene& scene, const Camera& camera, Vec2 at, double aspect) {
     const Pointer pointer(scene, camera, at, aspect);
     const Found solid = pointer.solids();

@@ -27,6 +27,13 @@ struct SurfaceHit {
 /// Cost      linear in the cells: 0.5 ms for 20 000.
 std::optional<SurfaceHit> hit(const Solution& solution, const Ray& ray);
 
+/// Where a ray first meets a face of the room, of furniture or a free surface; backs are looked through.
+struct FaceHit {
+    Vec3 place{0.0};
+    Vec3 normal{0.0, 0.0, 1.0};
+};
+std::optional<FaceHit> first_face(const Scene& scene, const Ray& ray);
+
 /// The luminaire, furniture, free surface or calculation point under a picture position; the id of
 /// nothing where there is only the room. Luminaires and points are caught a few pixels around, and
 /// a luminaire is preferred to what lies behind it.

@@ -44,6 +44,7 @@ void Desk::frame(PixelSize size, float seconds) {
     input_.feed(io);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
+    if (auto files = input_.take_dropped(); !files.empty()) workbench_->drop(std::move(files));
     workbench_->draw([this](const ViewRequest& request) { return textures_->paint(request); });
     ImGui::Render();
     glViewport(0, 0, size.width, size.height);

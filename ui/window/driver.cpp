@@ -149,6 +149,19 @@ Driver::Fault Driver::click_object(const std::string& object) {
     return {};
 }
 
+void Driver::drop(std::vector<std::filesystem::path> files, float x, float y) {
+    desk_->input().mouse_move(x, y);
+    desk_->input().drop(std::move(files));
+    run_queue();
+}
+
+Driver::Fault Driver::drop_on_object(std::vector<std::filesystem::path> files, const std::string& object) {
+    const auto at = object_on_screen(object);
+    if (!at) return "there is no object \"" + object + "\" in the view";
+    drop(std::move(files), at->x, at->y);
+    return {};
+}
+
 namespace {
 
 /// How far above `foot` the place is that stands at the screen's row `y`, m: halved down from 20 m.

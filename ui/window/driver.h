@@ -45,6 +45,8 @@ public:
     void type(std::string_view text);
     void wheel(float notches);
     void point_at(float x, float y);
+    void drop(std::vector<std::filesystem::path> files, float x, float y);
+    Fault drop_on_object(std::vector<std::filesystem::path> files, const std::string& object);
     void button(int which, bool down);
 
     Image picture() const;  ///< of the last frame

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <imgui.h>
+#include <utility>
 
 namespace hanei {
 namespace {
@@ -59,6 +60,12 @@ void InputQueue::key(Key key, bool down) {
 void InputQueue::character(char32_t code) { events_.push_back(Character{code}); }
 void InputQueue::focus(bool gained) { events_.push_back(Focus{gained}); }
 
+void InputQueue::drop(std::vector<std::filesystem::path> files) {
+    if (!files.empty()) events_.push_back(Drop{std::move(files)});
+}
+
+std::vector<std::filesystem::path> InputQueue::take_dropped() { return std::exchange(dropped_, {}); }
+
 void InputQueue::text(std::string_view utf8) {
     for (std::size_t i = 0; i < utf8.size();) {
         const auto lead = static_cast<unsigned char>(utf8[i]);
@@ -76,6 +83,7 @@ void InputQueue::feed(ImGuiIO& io) {
     Frame frame{io};
     struct Apply {
         Frame& frame;
+        std::vector<std::filesystem::path>& dropped;
         bool operator()(const Move& event) const {
             if (frame.changed) return false;
             frame.io.MousePos = ImVec2(event.x, event.y);
@@ -101,8 +109,11 @@ void InputQueue::feed(ImGuiIO& io) {
             frame.io.AddFocusEvent(event.gained);
             return true;
         }
+        bool operator()(const Drop& event) const {
+            return frame.once([&] { dropped = event.files; });
+        }
     };
-    while (!events_.empty() && std::visit(Apply{frame}, events_.front())) events_.pop_front();
+    while (!events_.empty() && std::visit(Apply{frame, dropped_}, events_.front())) events_.pop_front();
 }
 
 void map_keys(ImGuiIO& io) {

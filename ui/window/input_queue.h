@@ -8,8 +8,10 @@
 #include "ui/panels/key.h"
 
 #include <deque>
+#include <filesystem>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 struct ImGuiIO;
 
@@ -25,11 +27,15 @@ public:
     void character(char32_t code);
     void text(std::string_view utf8);
     void focus(bool gained);
+    void drop(std::vector<std::filesystem::path> files);  ///< where the pointer is
 
     bool empty() const { return events_.empty(); }
 
     /// Hands this frame's share to ImGui. Call before ImGui::NewFrame.
     void feed(ImGuiIO& io);
+
+    /// The files whose turn came with the last feed(), once: ImGui has no place for them.
+    std::vector<std::filesystem::path> take_dropped();
 
 private:
     struct Move {
@@ -52,9 +58,13 @@ private:
     struct Focus {
         bool gained;
     };
-    using Event = std::variant<Move, Button, Wheel, KeyChange, Character, Focus>;
+    struct Drop {
+        std::vector<std::filesystem::path> files;
+    };
+    using Event = std::variant<Move, Button, Wheel, KeyChange, Character, Focus, Drop>;
 
     std::deque<Event> events_;
+    std::vector<std::filesystem::path> dropped_;
 };
 
 /// Names our keys to the present ImGui context. Once after it is made.

@@ -54,6 +54,7 @@ public:
         if (is("double", 2)) return driver_.double_click(words[1]);
         if (verb == "point") return point(words);
         if (verb == "drag") return drag(words);
+        if (verb == "drop") return drop(words);
         if (is("key", 2)) return driver_.press(words[1]);
         if (is("type", 2)) return driver_.type(words[1]), Fault{};
         if (is("wait", 2)) return wait(words[1]);
@@ -93,6 +94,18 @@ private:
         }
         if (object) return driver_.drag_object(words[2], figures);
         return driver_.drag(words[1], static_cast<float>(figures.x), static_cast<float>(figures.y));
+    }
+
+    Fault drop(const Words& words) {
+        if (words.size() < 4) return "drop wants FILE... X Y, or FILE... object NAME";
+        std::vector<std::filesystem::path> files(words.begin() + 1, words.end() - 2);
+        const std::string& last = words.back();
+        if (words[words.size() - 2] == "object") return driver_.drop_on_object(std::move(files), last);
+        const auto x = figure_of(words[words.size() - 2]);
+        const auto y = figure_of(last);
+        if (!x || !y) return "drop wants FILE... X Y, or FILE... object NAME";
+        driver_.drop(std::move(files), static_cast<float>(*x), static_cast<float>(*y));
+        return {};
     }
 
     Fault wait(const std::string& what) {

@@ -6,6 +6,7 @@
 ///     point WIDGET | point object NAME | point X Y
 ///     drag WIDGET by DX DY          pixels
 ///     drag object NAME by DX DY DZ  metres: in the plan, or up with the z arrow
+///     drop FILE... X Y | drop FILE... object NAME
 ///     wheel NOTCHES
 ///     key CHORD                     Ctrl+Z, Delete, F1
 ///     type TEXT

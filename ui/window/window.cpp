@@ -92,7 +92,13 @@ void connect(GLFWwindow* window) {
         window, [](GLFWwindow* from, int gained) { reach_of(from).desk.input().focus(gained == GLFW_TRUE); });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* from) { reach_of(from); });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* from, int, int) { reach_of(from); });
-    glfwSetDropCallback(window, nullptr);
+    glfwSetDropCallback(window, [](GLFWwindow* from, int count, const char** paths) {
+        double x = 0.0, y = 0.0;  // no movement is reported while something is dragged from another window
+        glfwGetCursorPos(from, &x, &y);
+        InputQueue& input = reach_of(from).desk.input();
+        input.mouse_move(static_cast<float>(x), static_cast<float>(y));
+        input.drop({paths, paths + count});
+    });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* from) {
         glfwSetWindowShouldClose(from, GLFW_FALSE);  // unsaved changes are asked about first
         reach_of(from).desk.workbench().ask_to_quit();

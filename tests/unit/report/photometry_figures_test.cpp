@@ -27,6 +27,31 @@ Photometry cosine_light() {
     return photometry;
 }
 
+TEST(PhotometryFigures, do_not_change_when_the_light_is_turned_against_the_housing) {
+    Photometry oblong = cosine_light();
+    oblong.symmetry = PhotometricSymmetry::quadrant;
+    oblong.horizontal_deg = {0.0, 90.0};
+    const std::vector<double> first = oblong.candela;
+    for (std::size_t gamma = 0; gamma <= 90; ++gamma)
+        oblong.candela.push_back(first[gamma] * (1.0 - static_cast<double>(gamma) / 180.0));
+    const PhotometryFigures before = photometry_figures(oblong);
+    oblong.quarter_turns = 1;
+    const PhotometryFigures turned = photometry_figures(oblong);
+    EXPECT_EQ(turned.plane_90.beam->width_deg(), before.plane_90.beam->width_deg());
+    EXPECT_LT(turned.plane_90.beam->width_deg(), turned.plane_0.beam->width_deg());
+    EXPECT_EQ(turned.symmetry_found, before.symmetry_found);
+}
+
+TEST(PhotometryFigures, say_from_where_an_opening_is_a_point) {
+    Photometry photometry = cosine_light();
+    EXPECT_EQ(*photometry_figures(photometry).point_distance, 0.0);
+    photometry.opening = {OpeningShape::rectangle, 0.6, 0.6, 0.0};
+    const double far = *photometry_figures(photometry).point_distance;
+    EXPECT_GT(far, 2.0 * 0.6);  // the old rule of five sizes asks for 3 m
+    photometry.opening = {OpeningShape::rectangle, 1.2, 1.2, 0.0};
+    EXPECT_NEAR(*photometry_figures(photometry).point_distance, 2.0 * far, 0.02 * far);  // it scales with the opening
+}
+
 TEST(PhotometryFigures, of_a_cosine_light_are_those_of_the_textbook) {
     const PhotometryFigures figures = photometry_figures(cosine_light());
     const double flux = 1000.0 * std::numbers::pi;

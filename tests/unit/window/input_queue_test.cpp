@@ -89,5 +89,18 @@ TEST_F(AnInputQueue, lets_go_of_everything_when_the_window_loses_the_keyboard) {
     EXPECT_FALSE(io.MouseDown[0]);
 }
 
+TEST_F(AnInputQueue, hands_over_dropped_files_once_and_where_the_pointer_was) {
+    queue.mouse_move(40.0F, 50.0F);
+    queue.drop({"a.ies", "b.ldt"});
+    queue.mouse_move(90.0F, 90.0F);
+    feed();
+    EXPECT_EQ(io.MousePos.x, 40.0F);
+    EXPECT_EQ(queue.take_dropped().size(), 2U);
+    EXPECT_TRUE(queue.take_dropped().empty());
+    feed();
+    EXPECT_TRUE(queue.take_dropped().empty());
+    EXPECT_EQ(io.MousePos.x, 90.0F);
+}
+
 }  // namespace
 }  // namespace hanei

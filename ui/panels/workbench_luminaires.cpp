@@ -1,0 +1,133 @@
+#include "ui/panels/hanging.h"
+#include "ui/panels/workbench.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace hanei {
+namespace {
+
+std::string ending_of(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return ending;
+}
+
+std::vector<std::string> luminaire_endings() { return {".ies", ".ldt", ".xml", ".gldf", ".gltf", ".glb"}; }
+
+std::string name_of_light(const Photometry& photometry) {
+    return photometry.name.empty() ? photometry.source_file : photometry.name;
+}
+
+}  // namespace
+
+void Workbench::add_luminaire_file() {
+    browser_.open({"Add a luminaire", "Add", luminaire_endings(), false, folder(), ""},
+                  [this](const std::filesystem::path& file) {
+                      receive({{file}, {}, {}, place_in_plan(*document_.shown(), {}, raster()), {}});
+                  });
+}
+
+void Workbench::replace_luminaire_file() {
+    browser_.open({"Use another luminaire file", "Use", luminaire_endings(), false, folder(), ""},
+                  [this](const std::filesystem::path& file) {
+                      receive({{file}, {}, {}, {}, selected_});
+                  });
+}
+
+/// On the view files hang where they are dropped; on the luminaire that is chosen, or beside the
+/// view while one is chosen, they may take the place of its light.
+void Workbench::drop(const std::vector<std::filesystem::path>& files) {
+    if (dialogs_.kind() != Dialogs::Kind::none || browser_.is_open() || viewport_.dragging()) {
+        message_ = "Nothing was dropped: finish what is open first";
+        return;
+    }
+    document_.settle();
+    const auto project =
+        std::find_if(files.begin(), files.end(), [](const auto& file) { return ending_of(file) == ".hanei"; });
+    if (project != files.end()) return guarded([this, file = *project] { load(file); });
+    const SceneSnapshot scene = document_.shown();
+    const Viewport::Pointed pointed = viewport_.pointed(*scene, ImGui::GetIO().MousePos);
+    Arrival arrival{{files.begin(), files.end()}, {}, {}, place_in_plan(*scene, pointed.ray, raster()), {}};
+    const bool on_luminaire = find_luminaire(*scene, selected_) != nullptr;
+    const bool on_chosen = on_luminaire && pointed.object == selected_;
+    const bool beside_view = on_luminaire && !pointed.ray && ImGui::GetIO().MousePos.x > viewport_.right_edge();
+    if (files.size() > 1 || !(on_chosen || beside_view)) return receive(std::move(arrival));
+    Arrival instead = arrival;
+    instead.replaced = selected_;
+    if (beside_view || ImGui::GetIO().KeyShift) return receive(std::move(instead));
+    const std::string name = display_name(*scene, selected_);
+    dialogs_.ask_choice("Dropped on a luminaire", files.front().filename().string() + " was dropped on " + name + ".",
+                        {"Give its light to " + name, "Hang a luminaire of it here"},
+                        [this, arrival, instead](std::size_t k) { receive(k == 0 ? instead : arrival); });
+}
+
+void Workbench::receive(Arrival arrival) {
+    arrival_ = std::move(arrival);
+    read_next();
+}
+
+/// Reads file after file; one that holds several luminaires waits for an answer.
+void Workbench::read_next() {
+    while (!arrival_.files.empty()) {
+        const std::filesystem::path file = arrival_.files.front();
+        arrival_.files.pop_front();
+        Opened<std::vector<Photometry>> opened = door_.read_luminaires(file);
+        const bool unusable = !opened.content || opened.content->empty();
+        for (Diagnostic& finding : opened.findings) {
+            if (unusable || finding.severity == Severity::error) arrival_.faults.push_back(std::move(finding));
+        }
+        if (unusable) continue;
+        if (opened.content->size() > 1) return ask_which(file, std::move(*opened.content));
+        arrival_.read.push_back(std::move(opened.content->front()));
+    }
+    finish_arrival();
+}
+
+void Workbench::ask_which(const std::filesystem::path& file, std::vector<Photometry> found) {
+    std::vector<std::string> entries;
+    for (const Photometry& photometry : found) entries.push_back(name_of_light(photometry));
+    if (!arrival_.replaced) entries.push_back(fmt::format("All {}", found.size()));
+    const std::string text = fmt::format("{} holds {} luminaires.", file.filename().string(), found.size());
+    const auto take = [this, found = std::move(found)](std::size_t k) {
+        if (k < found.size())
+            arrival_.read.push_back(found[k]);
+        else
+            arrival_.read.insert(arrival_.read.end(), found.begin(), found.end());
+        read_next();
+    };
+    dialogs_.ask_choice("Which luminaire?", text, std::move(entries), take);
+}
+
+void Workbench::finish_arrival() {
+    Arrival arrival = std::exchange(arrival_, {});
+    if (!arrival.faults.empty()) {
+        message_ =
+            arrival.faults.front().place.file.empty()
+                ? "A file cannot be used"
+                : std::filesystem::path(arrival.faults.front().place.file).filename().string() + " cannot be used";
+        dialogs_.show_findings(
+            arrival.read.empty() ? "This luminaire file cannot be used" : "Not everything could be used",
+            std::move(arrival.faults));
+    }
+    if (arrival.read.empty()) return;
+    std::size_t remarks = 0;
+    for (const Photometry& photometry : arrival.read) remarks += photometry.warnings.size();
+    const std::string light = name_of_light(arrival.read.front());
+    const std::size_t count = arrival.read.size();
+    if (arrival.replaced) {
+        document_.commit(with_other_file(*document_.shown(), arrival.replaced, std::move(arrival.read.front()),
+                                         photometry_.reaches_all()),
+                         "Use another luminaire file");
+        message_ = display_name(*document_.shown(), arrival.replaced) + " shines as " + light;
+    } else {
+        add(with_measured_luminaires(*document_.shown(), std::move(arrival.read), arrival.place),
+            count == 1 ? "Add luminaire from file" : "Add luminaires from files");
+        message_ = count == 1 ? "Hung " + light : fmt::format("Hung {} luminaires", count);
+    }
+    if (remarks > 0) message_ += fmt::format(" · {} remark{} on its file", remarks, remarks == 1 ? "" : "s");
+}
+
+}  // namespace hanei
