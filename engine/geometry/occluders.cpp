@@ -18,6 +18,9 @@ namespace {
 /// later test as well, whatever that rounds.
 constexpr double clearly = 4.0;
 
+/// A sight line nearer to a body than this many times that distance touches it.
+constexpr double touching = 2.0;
+
 /// Asking more bodies than this one by one takes longer than going down the tree.
 constexpr std::size_t most_in_a_row = 64;
 
@@ -37,26 +40,26 @@ double rounding_of_places(const std::vector<ConvexBody>& bodies) {
            16.0 * std::numeric_limits<double>::epsilon() * farthest;
 }
 
-/// True when the open sight line from + t along (0 < t < 1) runs deeper than `depth` through a solid.
+/// True when the open sight line from + t along (0 < t < 1) runs deeper than `depth` through a solid;
+/// below zero, through the solid grown by as much.
 bool solid_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, double depth) {
     double enters = 0.0, leaves = 1.0;
     for (const BodyFace& face : shape.faces) {
-        const double start = face.height(from);
+        const double start = face.height(from) + depth;
         const double change = glm::dot(along, face.normal);
-        if (start >= -depth && start + change >= -depth) return false;
+        if (start >= 0.0 && start + change >= 0.0) return false;
         if (change < 0.0) enters = std::max(enters, -start / change);
         if (change > 0.0) leaves = std::min(leaves, -start / change);
     }
-    if (!(enters < leaves) || shape.faces.empty()) return false;
-    const Vec3 middle = from + (0.5 * (enters + leaves)) * along;
-    return std::ranges::all_of(shape.faces, [&](const BodyFace& face) { return face.height(middle) < -depth; });
+    return enters < leaves;
 }
 
-bool flat_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, double depth) {
+/// The same for a sheet, `depth` measured from its edges; the line must end `same_place` off its plane.
+bool sheet_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, double depth, double same_place) {
     const BodyFace& face = shape.faces[0];
     const double start = face.height(from);
     const double end = start + glm::dot(along, face.normal);
-    const bool through = (start > depth && end < -depth) || (start < -depth && end > depth);
+    const bool through = (start > same_place && end < -same_place) || (start < -same_place && end > same_place);
     if (!through) return false;
     const Vec3 crossing = from + (start / (start - end)) * along;
     return std::ranges::all_of(shape.edges, [&](const BodyEdge& edge) {
@@ -66,9 +69,26 @@ bool flat_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, do
     });
 }
 
-bool body_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, double depth) {
+bool body_blocks(const BodyShape& shape, const Vec3& from, const Vec3& along, double depth, double same_place) {
     if (shape.faces.empty()) return false;
-    return shape.flat ? flat_blocks(shape, from, along, depth) : solid_blocks(shape, from, along, depth);
+    return shape.flat ? sheet_blocks(shape, from, along, depth, same_place) : solid_blocks(shape, from, along, depth);
+}
+
+/// Across the face or edge along which the sight line touches the body; zero when it only meets a corner.
+Vec3 across_contact(const BodyShape& shape, const Vec3& from, const Vec3& along, double same_place) {
+    for (const BodyFace& face : shape.faces) {
+        const double start = face.height(from), end = start + glm::dot(along, face.normal);
+        if (std::max(std::abs(start), std::abs(end)) <= touching * same_place) return face.normal;
+    }
+    if (!shape.flat) return Vec3{0.0};
+    const BodyFace& face = shape.faces[0];
+    const Vec3 crossing = from - face.height(from) / glm::dot(along, face.normal) * along;
+    for (const BodyEdge& edge : shape.edges) {
+        const Vec3 run = edge.to - edge.from;
+        const double inward = glm::dot(glm::cross(face.normal, run), crossing - edge.from);
+        if (inward <= touching * same_place * glm::length(run)) return glm::cross(along, run);
+    }
+    return Vec3{0.0};
 }
 
 /// The body that hid everything when this thread last looked from somewhere at a polygon that begins
@@ -105,7 +125,7 @@ void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::ve
     BodyIndex& likely = likely_umbra(*this, points[0]);
     if (likely < bodies_.size() && hides(likely, eye, points, own)) return found.push_back(likely);
     Enclosure pyramid;
-    enclose_pyramid(eye, points, same_place_, pyramid);
+    enclose_pyramid(eye, points, touching * same_place_, pyramid);
     const auto start = static_cast<std::ptrdiff_t>(found.size());
     tree_.visit(pyramid, [&](BodyIndex body) {
         if (own != 0 && bodies_[body].owner == own) return true;
@@ -124,7 +144,7 @@ void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::sp
     BodyIndex& likely = likely_umbra(*this, points[0]);
     if (likely < bodies_.size() && hides(likely, eye, points, own)) return found.push_back(likely);
     Enclosure pyramid;
-    enclose_pyramid(eye, points, same_place_, pyramid);
+    enclose_pyramid(eye, points, touching * same_place_, pyramid);
     const std::size_t start = found.size();
     for (const BodyIndex body : among) {
         if (!pyramid.may_reach(shapes_[body].box)) continue;
@@ -149,7 +169,7 @@ void OccluderSet::between(const Box& eyes, std::span<const Vec3> points, std::ve
                                           high,
                                           {high.x, low.y, high.z},
                                           {low.x, low.y, high.z}}};
-    in_shaft(corners, points, -same_place_, found);  // bodies that only touch it count, as for one eye
+    in_shaft(corners, points, -touching * same_place_, found);  // bodies that only touch it count, as for one eye
 }
 
 void OccluderSet::between(std::span<const Vec3> from, std::span<const Vec3> to, std::vector<BodyIndex>& found) const {
@@ -176,8 +196,42 @@ bool OccluderSet::blocks(const Vec3& from, const Vec3& to) const {
 }
 
 bool OccluderSet::blocks(const Vec3& from, const Vec3& to, std::span<const BodyIndex> candidates) const {
-    return std::ranges::any_of(
-        candidates, [&](BodyIndex body) { return body_blocks(shapes_[body], from, to - from, same_place_); });
+    const Vec3 along = to - from;
+    thread_local std::vector<BodyIndex> touched;
+    touched.clear();
+    for (const BodyIndex body : candidates) {
+        if (!body_blocks(shapes_[body], from, along, -touching * same_place_, same_place_)) continue;
+        if (body_blocks(shapes_[body], from, along, same_place_, same_place_)) return true;
+        touched.push_back(body);
+    }
+    return touched.size() > 1 && closes_contact(touched, from, to);
+}
+
+/// A sight line that touches bodies runs in the contact between them when it is blocked to whichever
+/// side it is moved.
+bool OccluderSet::closes_contact(std::span<const BodyIndex> touched, const Vec3& from, const Vec3& to) const {
+    const Vec3 along = to - from;
+    Vec3 across{0.0};
+    for (const BodyIndex body : touched) {
+        const Vec3 normal = across_contact(shapes_[body], from, along, same_place_);
+        across = glm::cross(along, glm::cross(normal, along));
+        if (glm::length(across) > 0.0) break;
+    }
+    if (!(glm::length(across) > 0.0)) return false;
+    across = glm::normalize(across);
+    const Vec3 beside = glm::normalize(glm::cross(across, along));
+    // Aslant, so that where four bodies meet at an edge every move ends in one of them.
+    const double far_across = 0.8 * 8.0 * same_place_, far_beside = 0.6 * 8.0 * same_place_;
+    for (const double u : {-far_across, far_across}) {
+        for (const double v : {-far_beside, far_beside}) {
+            const Vec3 moved = from + u * across + v * beside;
+            const bool blocked = std::ranges::any_of(touched, [&](BodyIndex body) {
+                return body_blocks(shapes_[body], moved, along, same_place_, same_place_);
+            });
+            if (!blocked) return false;
+        }
+    }
+    return true;
 }
 
 int OccluderSet::containing(const Vec3& place) const {

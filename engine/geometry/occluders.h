@@ -25,7 +25,8 @@ using BodyIndex = std::uint32_t;
 /// Bodies under a bounding volume hierarchy, with planes, edges and boxes worked out once.
 ///
 /// A body hides what lies strictly beyond its surface: a sight line that runs along a face, touches
-/// an edge or ends on the body is not blocked (open bodies, tolerance::same_place).
+/// an edge or ends on the body is not blocked (open bodies, tolerance::same_place). Between bodies
+/// that touch no light passes: a line in their contact is blocked, as those to either side of it are.
 ///
 /// Holds     its own copy; immutable once built; any thread may ask.
 class OccluderSet {
@@ -69,6 +70,7 @@ public:
 private:
     void in_shaft(std::span<const Vec3> from, std::span<const Vec3> to, double touching,
                   std::vector<BodyIndex>& found) const;
+    bool closes_contact(std::span<const BodyIndex> touched, const Vec3& from, const Vec3& to) const;
     bool hides(BodyIndex body, const Vec3& eye, std::span<const Vec3> points, std::uint32_t own) const;
 
     std::vector<ConvexBody> bodies_;

@@ -50,6 +50,61 @@ double piece_factor(std::span<const Vec3> piece, const Vec3& normal) {
     return contour_factor({piece[0], offsets}, normal);
 }
 
+using Interval = std::pair<double, double>;
+
+void take_away(std::vector<Interval>& visible, const Interval& hidden) {
+    const auto [enters, leaves] = hidden;
+    if (!(enters < leaves)) return;
+    std::vector<Interval> left;
+    for (const auto& [low, high] : visible) {
+        if (low < std::min(high, enters)) left.emplace_back(low, std::min(high, enters));
+        if (std::max(low, leaves) < high) left.emplace_back(std::max(low, leaves), high);
+    }
+    visible = std::move(left);
+}
+
+struct HiddenInterval {
+    Interval interval{0.0, 0.0};
+    bool touches = false;  ///< the body ends in the plane of eye and line, and would hide the interval otherwise
+    Vec3 across{0.0};      ///< normal of that plane
+};
+
+struct Touched {
+    BodyIndex number;
+    Vec3 across;
+};
+
+/// What one body hides of the line from + t (to - from). Along a plane of its skin or silhouette the
+/// line is touched, not hidden.
+HiddenInterval hidden_interval(const OccluderSet& occluders, BodyIndex body, const Vec3& eye, const Vec3& from,
+                               const Vec3& to) {
+    std::vector<HalfSpace>& planes = scratch().planes;
+    const Hides hides = hidden_region(occluders.shape(body), eye, Vec3{0.0}, occluders.same_place(), planes);
+    if (hides == Hides::nothing) return {};
+    if (hides == Hides::everything) return {{0.0, 1.0}, false, {}};
+    const Vec3 start = from - eye, end = to - eye;
+    HiddenInterval hidden{{0.0, 1.0}, false, {}};
+    for (const HalfSpace& plane : planes) {
+        const double at_start = glm::dot(plane.outward, start) - plane.reach;
+        const double at_end = glm::dot(plane.outward, end) - plane.reach;
+        const double slack = occluders.same_place() *
+                             (std::abs(plane.outward.x) + std::abs(plane.outward.y) + std::abs(plane.outward.z));
+        if (at_start >= -slack && at_end >= -slack) {
+            if (at_start > slack || at_end > slack) return {};
+            hidden.touches = true;
+            hidden.across = plane.outward;
+            continue;
+        }
+        if (at_start > 0.0 && at_end < 0.0) {
+            hidden.interval.first = std::max(hidden.interval.first, at_start / (at_start - at_end));
+        }
+        if (at_start < 0.0 && at_end > 0.0) {
+            hidden.interval.second = std::min(hidden.interval.second, at_start / (at_start - at_end));
+        }
+    }
+    return hidden.interval.first < hidden.interval.second ? hidden : HiddenInterval{};
+}
+
 }  // namespace
 
 std::vector<Polygon> visible_part(const Polygon& polygon, const Vec3& eye, const OccluderSet& occluders,
@@ -66,34 +121,32 @@ std::vector<Polygon> visible_part(const Polygon& polygon, const Vec3& eye, const
     return visible;
 }
 
-std::vector<std::pair<double, double>> visible_intervals(const Vec3& from, const Vec3& to, const Vec3& eye,
-                                                         const OccluderSet& occluders,
-                                                         std::span<const BodyIndex> candidates) {
-    Scratch& memory = scratch();
-    std::vector<std::pair<double, double>> visible{{0.0, 1.0}};
-    const Vec3 start = from - eye, end = to - eye;
+std::vector<Interval> visible_intervals(const Vec3& from, const Vec3& to, const Vec3& eye, const OccluderSet& occluders,
+                                        std::span<const BodyIndex> candidates) {
+    std::vector<Interval> visible{{0.0, 1.0}};
+    std::vector<Touched> touched;
     for (const BodyIndex body : candidates) {
-        const Hides hides = hidden_region(occluders.shape(body), eye, Vec3{0.0}, occluders.same_place(), memory.planes);
-        if (hides == Hides::everything) return {};
-        if (hides == Hides::nothing) continue;
-        double enters = 0.0, leaves = 1.0;
-        for (const HalfSpace& plane : memory.planes) {
-            const double at_start = glm::dot(plane.outward, start) - plane.reach;
-            const double at_end = glm::dot(plane.outward, end) - plane.reach;
-            // Along a silhouette plane the line is touched, not hidden.
-            const double slack = occluders.same_place() *
-                                 (std::abs(plane.outward.x) + std::abs(plane.outward.y) + std::abs(plane.outward.z));
-            if (at_start >= -slack && at_end >= -slack) leaves = -1.0;
-            if (at_start > 0.0 && at_end < 0.0) enters = std::max(enters, at_start / (at_start - at_end));
-            if (at_start < 0.0 && at_end > 0.0) leaves = std::min(leaves, at_start / (at_start - at_end));
+        const HiddenInterval hidden = hidden_interval(occluders, body, eye, from, to);
+        if (hidden.touches) {
+            touched.push_back({body, hidden.across});
+        } else {
+            take_away(visible, hidden.interval);
         }
-        if (!(enters < leaves)) continue;
-        std::vector<std::pair<double, double>> left;
-        for (const auto& [low, high] : visible) {
-            if (low < std::min(high, enters)) left.emplace_back(low, std::min(high, enters));
-            if (std::max(low, leaves) < high) left.emplace_back(std::max(low, leaves), high);
+    }
+    if (touched.size() < 2 || touched[0].across == Vec3{0.0}) return visible;
+    // A line in the contact of bodies is hidden where it is hidden to either side of it.
+    const Vec3 aside = 8.0 * occluders.same_place() * glm::normalize(touched[0].across);
+    const auto hidden_beside = [&](const Vec3& moved) {
+        std::vector<Interval> hidden;
+        for (const Touched& body : touched) {
+            hidden.push_back(hidden_interval(occluders, body.number, eye + moved, from + moved, to + moved).interval);
         }
-        visible = std::move(left);
+        return hidden;
+    };
+    const std::vector<Interval> right = hidden_beside(-aside);
+    for (const auto& [low, high] : hidden_beside(aside)) {
+        for (const Interval& other : right)
+            take_away(visible, {std::max(low, other.first), std::min(high, other.second)});
     }
     return visible;
 }

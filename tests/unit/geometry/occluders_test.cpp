@@ -123,6 +123,48 @@ TEST(Occluders, what_lies_between_a_patch_and_an_opening_is_never_missed) {
     EXPECT_GT(clear, 1000);  // and bodies beside the shaft are told apart
 }
 
+TEST(Occluders, no_light_passes_between_bodies_that_touch) {
+    const ConvexBody left = box_body({-1, -1, 0}, {0, 1, 1}), right = box_body({0, -1, 0}, {1, 1, 1});
+    const OccluderSet set({left, right});
+    EXPECT_TRUE(set.blocks({0, -2, 0.5}, {0, 2, 0.5}));                         // along their contact
+    EXPECT_TRUE(set.blocks({0, 0, -1}, {0, 0.3, 2}));                           // aslant in it
+    EXPECT_TRUE(set.blocks({0, 0, 0}, {0, 0.3, 2}));                            // from the floor under it
+    EXPECT_FALSE(set.blocks({0, -2, 1}, {0, 2, 1}));                            // over the contact, along both tops
+    EXPECT_FALSE(set.blocks({0, 0, 1}, {0, 0.3, 2}));                           // starts on top of it
+    EXPECT_FALSE(set.blocks({0, -2, 0.5}, {0, -1, 0.5}));                       // ends where it begins
+    EXPECT_FALSE(OccluderSet({left, left}).blocks({0, -2, 0.5}, {0, 2, 0.5}));  // one body twice has a free side
+}
+
+TEST(Occluders, no_light_passes_where_four_boxes_meet_or_through_the_seam_of_two_sheets) {
+    const OccluderSet four({box_body({-1, -1, 0}, {0, 1, 1}), box_body({0, -1, 0}, {1, 1, 1}),
+                            box_body({-1, -1, 1}, {0, 1, 2}), box_body({0, -1, 1}, {1, 1, 2})});
+    EXPECT_TRUE(four.blocks({0, -2, 1}, {0, 2, 1}));
+    const OccluderSet step(
+        {box_body({-1, -1, 0}, {0, 1, 1}), box_body({0, -1, 0}, {1, 1, 1}), box_body({-1, -1, 1}, {0, 1, 2})});
+    EXPECT_FALSE(step.blocks({0, -2, 1}, {0, 2, 1}));  // the concave edge of a step is free on one side
+    const OccluderSet seam({sheet(facing_up(-1, -1, 0, 1, 1)), sheet(facing_up(0, -1, 1, 1, 1))});
+    EXPECT_TRUE(seam.blocks({0, 0, 0}, {0, 0.5, 2}));
+    EXPECT_TRUE(seam.blocks({-0.5, 0, 0}, {0.5, 0.5, 2}));
+    EXPECT_FALSE(seam.blocks({0, -1, 0}, {0, -1, 2}));  // at its end
+}
+
+TEST(Occluders, no_light_passes_along_a_contact_that_lies_aslant) {
+    Dice dice(41);
+    for (int k = 0; k < 300; ++k) {
+        const Mat3 turn = dice.rotation();
+        const Vec3 at = dice.place(3);
+        std::vector<ConvexBody> bodies{box_body({-1, -1, -1}, {0, 1, 1}), box_body({0, -0.7, -0.6}, {1, 0.8, 0.9})};
+        for (ConvexBody& body : bodies) {
+            for (Vec3& vertex : body.vertices) vertex = turn * vertex + at;
+        }
+        const OccluderSet set(std::move(bodies));
+        const auto placed = [&](double y, double z) { return turn * Vec3{0, y, z} + at; };
+        const double y = dice.uniform(-0.6, 0.7), z = dice.uniform(-0.5, 0.8);
+        EXPECT_TRUE(set.blocks(placed(-3, dice.uniform(-2, 2)), placed(y, z)));  // ends between them
+        EXPECT_FALSE(set.blocks(placed(-3, z), placed(-0.9, z)));                // reaches one of them only
+    }
+}
+
 TEST(Occluders, a_desk_does_not_stand_between_its_own_top_and_the_ceiling) {
     const OccluderSet set({box_body({0, 0, 0}, {1, 1, 0.7})});
     std::vector<BodyIndex> found;

@@ -230,6 +230,39 @@ TEST(VisibleIntervals, a_post_hides_its_shadow_on_a_tube) {
     EXPECT_NEAR(seen[1].first, 0.5 + 0.5 * half_hidden, exact);
 }
 
+TEST(VisiblePart, stacked_and_abutting_boxes_let_no_light_through) {
+    Dice dice(43);
+    for (int k = 0; k < 200; ++k) {
+        const Mat3 turn = dice.rotation();
+        const Vec3 at = dice.place(3);
+        // Over the eyes, four boxes that meet along edges and faces, turned and moved: rounding parts them.
+        std::vector<ConvexBody> bodies{box_body({-5, -5, 1}, {0, 0, 1.5}), box_body({0, -5, 1}, {5, 0, 1.5}),
+                                       box_body({-5, 0, 1}, {0, 5, 1.25}), box_body({-5, 0, 1.25}, {0, 5, 1.5}),
+                                       box_body({0, 0, 1}, {5, 5, 1.5})};
+        for (ConvexBody& body : bodies) {
+            for (Vec3& vertex : body.vertices) vertex = turn * vertex + at;
+        }
+        Polygon opening = facing_down(-1, -1, 1, 1, 3);
+        for (Vec3& corner : opening) corner = turn * corner + at;
+        const OccluderSet set(std::move(bodies));
+        const double x = k % 3 == 0 ? 0.0 : dice.uniform(-1, 1), y = k % 2 == 0 ? 0.0 : dice.uniform(-1, 1);
+        const double z = k % 5 == 0 ? 1.0 : dice.uniform(-1, 1);  // also on their lower faces
+        EXPECT_LT(visible_share(opening, turn * Vec3{x, y, z} + at, set), 1e-12) << k;
+    }
+}
+
+TEST(VisibleIntervals, a_tube_is_not_seen_through_the_contact_of_two_boxes) {
+    const OccluderSet set({box_body({-1, -1, 0}, {0, 1, 1}), box_body({0, -1, 0}, {1, 1, 1})});
+    EXPECT_TRUE(visible_intervals({0, 2, 0.2}, {0, 2, 0.8}, {0, -2, 0.5}, set, all_of(set)).empty());
+    // Over the near edge of their tops the eye sees what is 0.5 m up over 1 m, 2 m over 4: above height 2.5.
+    const auto seen = visible_intervals({0, 2, 0.5}, {0, 2, 3.5}, {0, -2, 0.5}, set, all_of(set));
+    ASSERT_EQ(seen.size(), 1U);
+    EXPECT_NEAR(seen[0].first, 2.0 / 3.0, 1e-7);  // found beside the contact, within eight times the distance under which places are one
+    EXPECT_EQ(seen[0].second, 1.0);
+    const OccluderSet one({box_body({-1, -1, 0}, {0, 1, 1})});
+    EXPECT_EQ(visible_intervals({0, 2, 0.2}, {0, 2, 0.8}, {0, -2, 0.5}, one, all_of(one)).size(), 1U);
+}
+
 TEST(VisibleIntervals, every_sampled_sight_line_agrees) {
     Dice dice(17);
     int disagreements = 0;
