@@ -5,6 +5,7 @@
 #include "engine/geometry/occluders.h"
 #include "engine/scene/faces.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace hanei {
 struct SolidBody {
     ConvexBody body;                 ///< closed: the missing faces of a cap are among its faces
     std::vector<std::size_t> faces;  ///< indices into the faces of the scene, ascending
+    /// Number of the shell it is part of, none for a cap: solids of one shell are one body.
+    std::optional<std::size_t> shell;
 };
 
 /// Caps among the free surfaces of `faces`.

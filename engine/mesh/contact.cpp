@@ -62,10 +62,11 @@ Contacts::Contacts(const Scene& scene)
     for (std::size_t f = 0; f < faces_.size(); ++f) numbers.emplace(faces_[f].ref, f);
     for (Solid& solid : solids_of(scene)) {
         SolidBody part;
-        for (std::size_t k = 0; k < solid.faces.size(); ++k) {
-            const auto at = numbers.find({solid.object, solid.first_face + static_cast<int>(k)});
+        for (const int face : solid.surface) {
+            const auto at = numbers.find({solid.object, face});
             if (at != numbers.end()) part.faces.push_back(at->second);
         }
+        part.shell = solid.shell;
         part.body = {std::move(solid.vertices), std::move(solid.faces), solid.object.value};
         solids_.push_back(std::move(part));
     }
@@ -104,10 +105,16 @@ bool Contacts::sheet_covers(std::size_t face, std::size_t sheet) const {
     return is_of_room_[face] != is_of_room_[sheet];
 }
 
+bool Contacts::is_skin_of(std::size_t face, std::size_t solid) const {
+    if (solid_of_[face] < 0) return false;
+    const auto own = static_cast<std::size_t>(solid_of_[face]);
+    return own == solid || (solids_[own].shell && solids_[own].shell == solids_[solid].shell);
+}
+
 std::vector<Polygon> Contacts::covers_of(std::size_t face) const {
     std::vector<Polygon> found;
     for (std::size_t s = 0; s < solids_.size(); ++s) {
-        if (static_cast<int>(s) == solid_of_[face] || !solid_covers(face, solids_[s], static_cast<int>(s))) continue;
+        if (is_skin_of(face, s) || !solid_covers(face, solids_[s], static_cast<int>(s))) continue;
         if (auto polygon = section(face, solids_[s].body)) found.push_back(std::move(*polygon));
     }
     for (std::size_t g = 0; g < faces_.size(); ++g) {

@@ -30,7 +30,8 @@ public:
     const std::vector<ConvexBody>& openings() const { return openings_; }
     double same_place() const { return same_place_; }  ///< m
     bool is_of_room(std::size_t face) const { return is_of_room_[face]; }
-    int solid_of(std::size_t face) const { return solid_of_[face]; }  ///< into solids(); -1 for a sheet
+    /// One of the solids whose surface it is, into solids(); -1 for a sheet.
+    int solid_of(std::size_t face) const { return solid_of_[face]; }
 
     /// Convex polygons in the plane of a face that cover it; they may overlap and reach beyond it.
     std::vector<Polygon> covers_of(std::size_t face) const;
@@ -49,6 +50,7 @@ private:
     double same_place_ = 0.0;
 
     std::optional<Polygon> section(std::size_t face, const ConvexBody& solid) const;
+    bool is_skin_of(std::size_t face, std::size_t solid) const;  ///< of the body the solid is part of
     bool solid_covers(std::size_t face, const SolidBody& solid, int number) const;
     bool sheet_covers(std::size_t face, std::size_t sheet) const;
 };

@@ -83,7 +83,8 @@ struct Mesh {
 /// Meshes every face. `max_patch` is the wished patch width in metres.
 std::shared_ptr<const Mesh> make_mesh(const Scene& scene, double max_patch);
 
-/// The scene's shadow casters: furniture parts as solids, free surfaces and opaque openings as flat
+/// The scene's shadow casters: furniture parts as convex solids (several where a part is not convex; by
+/// their faces where it cannot be cut into such), free surfaces and opaque openings as flat
 /// bodies, room faces only where something of the room lies behind their plane (re-entrant corners).
 /// Surfaces that together are a convex cap (a box without its bottom) become one solid.
 OccluderSet occluders_of(const Scene& scene);

@@ -7,7 +7,7 @@ void take_shape(Fields& fields, Part& part) {
     const bool box = fields.has("box");
     if (box == fields.has("vertices")) {
         fields.error("box", box ? "a part is a \"box\" or has \"vertices\" and \"faces\", not both"
-                                : "expected \"box\": [x, y, z], or \"vertices\" and \"faces\" of a convex solid");
+                                : "expected \"box\": [x, y, z], or \"vertices\" and \"faces\" of a closed solid");
         fields.take("box");
         fields.take("vertices");
         fields.take("faces");
@@ -16,7 +16,7 @@ void take_shape(Fields& fields, Part& part) {
         fields.optional("box", shape.size);
         part.shape = shape;
     } else {
-        ConvexShape shape;
+        SolidShape shape;
         fields.optional("vertices", shape.vertices);
         fields.require("faces", shape.faces, "lists of vertex numbers, counter-clockwise seen from outside");
         part.shape = std::move(shape);

@@ -23,7 +23,7 @@ JsonValue json_of_area(const SubArea& area, const References& materials) {
 JsonValue json_of_part(const Part& part, const References& materials) {
     JsonValue object = json_object();
     if (const auto* const box = std::get_if<BoxShape>(&part.shape)) object.add("box", json_of(box->size));
-    if (const auto* const solid = std::get_if<ConvexShape>(&part.shape)) {
+    if (const auto* const solid = std::get_if<SolidShape>(&part.shape)) {
         object.add("vertices", json_of(solid->vertices));
         object.add("faces", json_of(solid->faces));
     }

@@ -60,7 +60,7 @@ std::vector<RepairedWinding> repair_windings(Scene& scene) {
     }
     for (std::size_t i = 0; i < scene.furniture.size(); ++i) {
         for (std::size_t k = 0; k < scene.furniture[i].parts.size(); ++k) {
-            auto* const solid = std::get_if<ConvexShape>(&scene.furniture[i].parts[k].shape);
+            auto* const solid = std::get_if<SolidShape>(&scene.furniture[i].parts[k].shape);
             if (solid != nullptr && turned_right(solid->vertices, solid->faces))
                 repairs.push_back({"furniture[" + std::to_string(i) + "].parts[" + std::to_string(k) + "].faces",
                                    scene.furniture[i].id, inside_out});

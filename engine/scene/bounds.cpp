@@ -59,7 +59,7 @@ Bounds bounds_of(const Scene& scene) {
             all.add(Vec3{corner, scene.room->floor_height + scene.room->height});
         }
     }
-    for (const Solid& solid : solids_of(scene)) all.add(solid.vertices);
+    for (const Shell& shell : shells_of(scene)) all.add(shell.vertices);
     for (const FreeSurface& surface : scene.surfaces) all.add(surface.region.outline);
     for (const Luminaire& luminaire : scene.luminaires) {
         all.add(luminaire.position);

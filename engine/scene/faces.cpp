@@ -94,24 +94,24 @@ void append_room(std::vector<Face>& faces, const Room& room) {
 }
 
 /// Empty when the loop names a vertex that does not exist (a fault check_scene reports).
-Polygon loop_of(const Solid& solid, const std::vector<int>& corners) {
+Polygon loop_of(const Shell& shell, const std::vector<int>& corners) {
     Polygon loop;
     for (const int corner : corners) {
-        if (corner < 0 || static_cast<std::size_t>(corner) >= solid.vertices.size()) return {};
-        loop.push_back(solid.vertices[static_cast<std::size_t>(corner)]);
+        if (corner < 0 || static_cast<std::size_t>(corner) >= shell.vertices.size()) return {};
+        loop.push_back(shell.vertices[static_cast<std::size_t>(corner)]);
     }
     return loop;
 }
 
 void append_furniture(std::vector<Face>& faces, const Scene& scene) {
-    const std::vector<Solid> solids = solids_of(scene);
+    const std::vector<Shell> shells = shells_of(scene);
     std::size_t next = 0;
     for (const Furniture& furniture : scene.furniture) {
         for (const Part& part : furniture.parts) {
-            const Solid& solid = solids[next++];
-            int number = solid.first_face;
-            for (const std::vector<int>& corners : solid.faces) {
-                append(faces, {furniture.id, number++}, {loop_of(solid, corners), {}}, part.material);
+            const Shell& shell = shells[next++];
+            int number = shell.first_face;
+            for (const std::vector<int>& corners : shell.faces) {
+                append(faces, {furniture.id, number++}, {loop_of(shell, corners), {}}, part.material);
             }
         }
     }

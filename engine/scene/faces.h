@@ -30,18 +30,31 @@ struct Face {
     std::vector<FaceArea> areas;  ///< sub-areas, in order; the later one is seen
 };
 
-/// A convex solid in scene coordinates.
-struct Solid {
+/// The closed surface of a part of furniture, of any shape, in scene coordinates.
+struct Shell {
     ObjectId object;
     std::vector<Vec3> vertices;
     std::vector<std::vector<int>> faces;  ///< counter-clockwise seen from outside
     int first_face = 0;                   ///< SurfaceRef::face of faces[0]
 };
 
+/// A convex solid in scene coordinates: all that a shell encloses, or a part of it.
+struct Solid {
+    ObjectId object;
+    std::vector<Vec3> vertices;
+    std::vector<std::vector<int>> faces;  ///< counter-clockwise seen from outside; some may be cuts
+    std::vector<int> surface;             ///< SurfaceRef::face of the shell's faces that lie on it
+    std::size_t shell = 0;                ///< number of its shell: solids of one shell are one body
+};
+
 /// All reflecting faces: room, furniture, free surfaces, in that order. Faces without area are left out.
 std::vector<Face> faces_of(const Scene& scene);
 
-/// The convex parts of all furniture.
+/// All parts of all furniture, in order.
+std::vector<Shell> shells_of(const Scene& scene);
+
+/// The same cut into convex solids that touch but do not overlap, in the order of their shells.
+/// Shells that cannot be cut so (convex_cells) are left out: their faces stand for them.
 std::vector<Solid> solids_of(const Scene& scene);
 
 /// The material of a face or sub-area; null when the id names none.

@@ -70,16 +70,16 @@ struct BoxShape {
     bool operator==(const BoxShape&) const = default;
 };
 
-/// A convex solid; faces are loops of vertex numbers, counter-clockwise seen from outside.
-struct ConvexShape {
+/// A closed solid of any shape; faces are loops of vertex numbers, counter-clockwise seen from outside.
+struct SolidShape {
     std::vector<Vec3> vertices;
     std::vector<std::vector<int>> faces;
-    bool operator==(const ConvexShape&) const = default;
+    bool operator==(const SolidShape&) const = default;
 };
 
-/// One convex piece of furniture, placed within it.
+/// One solid piece of furniture, placed within it.
 struct Part {
-    std::variant<BoxShape, ConvexShape> shape;
+    std::variant<BoxShape, SolidShape> shape;
     Vec3 position{0.0};     ///< m, in the furniture's frame
     double rotation = 0.0;  ///< rad, about z, counter-clockwise seen from above
     ObjectId material;
@@ -87,7 +87,7 @@ struct Part {
     bool operator==(const Part&) const = default;
 };
 
-/// A desk, a shelf, a machine: a group of convex parts moved as one.
+/// A desk, a shelf, a machine: a group of solid parts moved as one.
 struct Furniture {
     ObjectId id;
     std::string name;

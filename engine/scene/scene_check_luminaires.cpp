@@ -22,7 +22,7 @@ struct OpeningCheck {
     }
     void operator()(const PolygonOpening& polygon) const { check_region(object, "opening", polygon.region); }
     void operator()(const PolyhedronOpening& solid) const {
-        check_solid(object, "opening.faces", solid.vertices, solid.faces, false);
+        check_solid(object, "opening.faces", solid.vertices, solid.faces);
         const std::vector<double>& weights = solid.relative_luminance;
         if (!weights.empty() && weights.size() != solid.faces.size())
             object.error("opening.relative_luminance", "found " + std::to_string(weights.size()) + " weights for " +

@@ -16,8 +16,8 @@ void check_part(SceneChecks& checks, ObjectFindings& object, const Part& part, c
                           object.positive(field + ".box", box->size.y) && object.positive(field + ".box", box->size.z);
         static_cast<void>(good);  // one finding a box is enough
     }
-    if (const auto* const solid = std::get_if<ConvexShape>(&part.shape))
-        check_solid(object, field + ".faces", solid->vertices, solid->faces, true);
+    if (const auto* const solid = std::get_if<SolidShape>(&part.shape))
+        check_solid(object, field + ".faces", solid->vertices, solid->faces);
 }
 
 constexpr double most_points = 1e6;

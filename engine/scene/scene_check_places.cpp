@@ -147,12 +147,12 @@ void check_point_place(const Surroundings& around, ObjectFindings& object, const
 void check_places(SceneChecks& checks) {
     const Scene& scene = checks.scene;
     const Surroundings around(scene);
-    const std::vector<Solid> solids = solids_of(scene);
+    const std::vector<Shell> shells = shells_of(scene);
     std::size_t next = 0;
     for (std::size_t i = 0; i < scene.furniture.size(); ++i) {
         double outside = 0.0;
         for (std::size_t k = 0; k < scene.furniture[i].parts.size(); ++k)
-            outside = std::max(outside, around.outside(solids[next++].vertices));
+            outside = std::max(outside, around.outside(shells[next++].vertices));
         if (outside > 0.0)
             checks.about("furniture", i, "furniture", scene.furniture[i].name, scene.furniture[i].id)
                 .warn("position", "it reaches " + figure(outside) + " m out of the room; move it inside");

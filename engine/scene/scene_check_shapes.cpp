@@ -90,16 +90,6 @@ double enclosed_volume(const std::vector<Vec3>& vertices, const std::vector<std:
     return volume;
 }
 
-bool is_convex_solid(const std::vector<Vec3>& vertices, const std::vector<std::vector<int>>& faces) {
-    const double thickness = tolerance::planar * diameter(vertices);
-    return std::all_of(faces.begin(), faces.end(), [&](const std::vector<int>& face) {
-        const Polygon loop = loop_of(vertices, face);
-        const Plane plane{loop[0], unit_normal(loop)};
-        return std::all_of(vertices.begin(), vertices.end(),
-                           [&](const Vec3& vertex) { return plane.height(vertex) <= thickness; });
-    });
-}
-
 }  // namespace
 
 void check_region(ObjectFindings& object, const std::string& field, const Region& region) {
@@ -123,7 +113,7 @@ void check_region(ObjectFindings& object, const std::string& field, const Region
 }
 
 void check_solid(ObjectFindings& object, const std::string& field, const std::vector<Vec3>& vertices,
-                 const std::vector<std::vector<int>>& faces, bool convex) {
+                 const std::vector<std::vector<int>>& faces) {
     if (!object.finite(field, vertices) || !has_sound_loops(object, field, vertices, faces)) return;
     if (!is_closed(faces))
         object.error(field,
@@ -132,8 +122,6 @@ void check_solid(ObjectFindings& object, const std::string& field, const std::ve
     else if (enclosed_volume(vertices, faces) < 0.0)
         object.error(field,
                      "the solid is inside out: list the corners of each face counter-clockwise seen from outside");
-    else if (convex && !is_convex_solid(vertices, faces))
-        object.error(field, "the solid is not convex; cut it into convex parts");
 }
 
 }  // namespace hanei

@@ -70,8 +70,8 @@ void check_overlaps(SceneChecks& checks);  ///< solids that share space
 
 /// Planar, with area, not crossing itself; holes in its plane and wound against it.
 void check_region(ObjectFindings& object, const std::string& field, const Region& region);
-/// Closed, with flat faces, front outward; convex too when asked for.
+/// Closed, with flat faces, front outward.
 void check_solid(ObjectFindings& object, const std::string& field, const std::vector<Vec3>& vertices,
-                 const std::vector<std::vector<int>>& faces, bool convex);
+                 const std::vector<std::vector<int>>& faces);
 
 }  // namespace hanei

@@ -95,6 +95,21 @@ TEST(Mesh, a_box_on_the_floor_takes_its_footprint_and_loses_its_bottom) {
     expect_sound(*mesh);
 }
 
+TEST(Mesh, a_part_that_is_not_convex_covers_what_it_stands_on_and_nothing_of_itself) {
+    Scene scene = sample::box_room(4.0, 3.0, 2.5);
+    const ObjectId shelf = sample::add_l_shape(scene, {1, 1, 0}, 0.7);
+    const std::shared_ptr<const Mesh> mesh = make_mesh(scene, 0.3);
+    expect_sound(*mesh);
+    constexpr double plan = 1.2 * 0.5 + 0.5 * 0.5;
+    EXPECT_NEAR(area_of(*mesh, 0), 4.0 * 3.0 - plan, rounding);
+    EXPECT_NEAR(area_of(*mesh, static_cast<std::size_t>(face_of(*mesh, shelf, 1))), plan, rounding);
+    const int underside = face_of(*mesh, shelf, 0);
+    EXPECT_TRUE(underside < 0 || area_of(*mesh, static_cast<std::size_t>(underside)) < rounding);
+    double sides = 0.0;
+    for (int k = 2; k < 8; ++k) sides += area_of(*mesh, static_cast<std::size_t>(face_of(*mesh, shelf, k)));
+    EXPECT_NEAR(sides, (1.2 + 1.0) * 2.0 * 0.7, rounding);
+}
+
 TEST(Mesh, a_box_a_millimetre_above_another_covers_nothing) {
     Scene scene = sample::box_room(4.0, 3.0, 2.5);
     const ObjectId low = sample::add_box(scene, {1.0, 1.0, 0.0}, {0.5, 0.5, 0.5});

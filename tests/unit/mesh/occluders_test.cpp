@@ -27,6 +27,20 @@ TEST(Occluders, every_part_of_furniture_is_a_solid) {
     EXPECT_EQ(solids_in(occluders_of(scene)), 3U);
 }
 
+TEST(Occluders, a_part_that_is_not_convex_is_several_solids_that_hide_as_one) {
+    Scene scene = sample::box_room(4.0, 3.0, 2.5);
+    sample::add_l_shape(scene, {1, 1, 0}, 0.7);
+    const OccluderSet occluders = occluders_of(scene);
+    EXPECT_EQ(solids_in(occluders), 2U);
+    EXPECT_EQ(occluders.bodies().size(), 2U);
+    EXPECT_GE(occluders.containing({1.2, 1.2, 0.3}), 0);
+    EXPECT_EQ(occluders.containing({1.8, 1.8, 0.3}), -1);                // in the corner of the L
+    EXPECT_TRUE(occluders.blocks({1.25, 0.5, 0.3}, {1.25, 2.5, 0.3}));   // through both legs
+    EXPECT_TRUE(occluders.blocks({0.5, 1.5, 0.3}, {1.4, 1.5, 0.4}));     // along the cut between them
+    EXPECT_FALSE(occluders.blocks({1.6, 2.5, 0.3}, {1.51, 1.51, 0.3}));  // into the corner
+    EXPECT_FALSE(occluders.blocks({1.6, 1.5, 0.3}, {2.5, 1.5, 0.3}));    // along the side in it
+}
+
 TEST(Occluders, a_box_of_free_surfaces_without_its_bottom_is_one_solid) {
     Scene scene = sample::box_room(4.0, 3.0, 2.5);
     sample::add_box_of_surfaces(scene, {1.0, 1.0, 0.0}, {1.5, 1.5, 0.7}, sample::without_bottom);

@@ -71,6 +71,27 @@ inline void add_table(Scene& scene, Vec3 position, double rotation = 0.0) {
     scene.furniture.push_back(table);
 }
 
+/// An L of 1.2 x 1 m, its legs 0.5 m wide, as one part; its corner stands at `position`. Face 0 is the
+/// underside, 1 the top, 2 to 7 the sides.
+inline ObjectId add_l_shape(Scene& scene, Vec3 position, double height) {
+    const std::vector<Vec2> plan = {{0, 0}, {1.2, 0}, {1.2, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}};
+    SolidShape shape;
+    for (const double z : {0.0, height}) {
+        for (const Vec2& corner : plan) shape.vertices.emplace_back(corner, z);
+    }
+    shape.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
+    for (int k = 0; k < 6; ++k) shape.faces.push_back({k, (k + 1) % 6, 6 + (k + 1) % 6, 6 + k});
+    Furniture furniture;
+    furniture.id = scene.new_id();
+    furniture.position = position;
+    Part part;
+    part.shape = std::move(shape);
+    part.material = material(scene, 0.5);
+    furniture.parts.push_back(std::move(part));
+    scene.furniture.push_back(std::move(furniture));
+    return scene.furniture.back().id;
+}
+
 inline ObjectId add_surface(Scene& scene, Polygon outline, double reflectance = 0.5, double own_exitance = 0.0) {
     FreeSurface surface;
     surface.id = scene.new_id();

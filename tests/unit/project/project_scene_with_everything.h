@@ -38,7 +38,7 @@ inline void add_furniture_of_every_kind(Scene& scene) {
     const ObjectId wood = scene.materials[0].id;
     Furniture desk{scene.new_id(), "desk", {1, 2, 0}, 0.3, {}, R"({"maker": "none"})"};
     desk.parts.push_back({BoxShape{{1.6, 0.8, 0.03}}, {0, 0, 0.71}, 0.0, wood, R"({"grain": "along"})"});
-    const ConvexShape wedge{{{0, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}},
+    const SolidShape wedge{{{0, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}},
                             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
     desk.parts.push_back({wedge, {0, 0, 0}, -1.0, wood, {}});
     scene.furniture.push_back(desk);

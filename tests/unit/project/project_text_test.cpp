@@ -154,11 +154,11 @@ TEST(ProjectText, a_clockwise_plan_is_turned_round_with_its_walls_and_doors) {
 
 TEST(ProjectText, an_inside_out_solid_is_turned_round) {
     Project project = project_with_everything();
-    auto& wedge = std::get<ConvexShape>(project.scene.furniture[0].parts[1].shape);
+    auto& wedge = std::get<SolidShape>(project.scene.furniture[0].parts[1].shape);
     for (std::vector<int>& face : wedge.faces) std::reverse(face.begin(), face.end());
     const ProjectRead read = read_project_text(project_text(project), "room.hanei");
     ASSERT_TRUE(read.project.has_value());
-    EXPECT_EQ(std::get<ConvexShape>(read.project->scene.furniture[0].parts[1].shape).faces[0],
+    EXPECT_EQ(std::get<SolidShape>(read.project->scene.furniture[0].parts[1].shape).faces[0],
               (std::vector<int>{0, 2, 1}));
 }
 

@@ -34,7 +34,7 @@ Scene furnished() {
     desk.rotation = 0.3;
     desk.parts = {
         {BoxShape{{1.6, 0.8, 0.75}}, Vec3{0.0}, 0.0, grey, {}},
-        {ConvexShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
+        {SolidShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
          Vec3{0.0, 0.0, 0.75},
          1.0,
          white,
@@ -93,7 +93,7 @@ TEST(Faces, of_a_room_close_it) {
 TEST(Faces, of_furniture_look_outward_and_close) {
     const Scene scene = furnished();
     const std::vector<Face> faces = faces_of(scene);
-    for (const Solid& solid : solids_of(scene)) {
+    for (const Shell& solid : shells_of(scene)) {
         Vec3 inside{0.0};
         for (const Vec3& vertex : solid.vertices) inside += vertex / static_cast<double>(solid.vertices.size());
         Vec3 sum{0.0};
@@ -149,7 +149,7 @@ TEST(Faces, areas_of_floor_and_ceiling_lie_in_plan_coordinates_and_face_the_room
 
 TEST(Faces, without_area_or_with_missing_vertices_are_left_out_and_keep_their_neighbours_numbers) {
     Scene scene = furnished();
-    auto& shape = std::get<ConvexShape>(scene.furniture[0].parts[1].shape);
+    auto& shape = std::get<SolidShape>(scene.furniture[0].parts[1].shape);
     shape.faces[0] = {0, 1, 1};
     shape.faces[1] = {0, 1, 99};
     const std::vector<Face> faces = faces_of(scene);

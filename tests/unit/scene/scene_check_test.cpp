@@ -1,5 +1,7 @@
 #include "engine/scene/scene_check.h"
 
+#include "engine/scene/faces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -156,13 +158,13 @@ TEST(SceneCheck, a_box_without_depth_is_an_error) {
     expect_only(scene, Severity::error, "furniture[0].parts[0].box", "greater than 0");
 }
 
-ConvexShape tetrahedron() {
+SolidShape tetrahedron() {
     return {{{0, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
 
-TEST(SceneCheck, solids_are_closed_convex_and_right_side_out) {
+TEST(SceneCheck, solids_are_closed_and_right_side_out) {
     Scene scene = sound_scene();
-    ConvexShape shape = tetrahedron();
+    SolidShape shape = tetrahedron();
     scene.furniture[0].parts[0].shape = shape;
     EXPECT_TRUE(check_scene(scene).empty());
     shape.faces.pop_back();
@@ -178,9 +180,9 @@ TEST(SceneCheck, solids_are_closed_convex_and_right_side_out) {
     expect_only(scene, Severity::error, "furniture[0].parts[0].faces[1]", "vertex number 9");
 }
 
-TEST(SceneCheck, a_dented_solid_is_refused_as_furniture) {
+TEST(SceneCheck, a_dented_solid_is_furniture_like_any_other) {
     // a roof whose ridge sinks below its eaves, over a square: closed, right side out, not convex
-    ConvexShape shape{
+    SolidShape shape{
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0.5, 0.5, 0.5}},
         {{0, 3, 2, 1},
          {0, 1, 5, 4},
@@ -193,7 +195,11 @@ TEST(SceneCheck, a_dented_solid_is_refused_as_furniture) {
          {7, 4, 8}}};
     Scene scene = sound_scene();
     scene.furniture[0].parts[0].shape = shape;
-    expect_only(scene, Severity::error, "furniture[0].parts[0].faces", "not convex");
+    EXPECT_TRUE(check_scene(scene).empty());
+    std::vector<Solid> solids = solids_of(scene);
+    EXPECT_EQ(solids.size(), 4U);  // wedges that meet under the dent
+    scene.furniture[0].parts[0].shape = tetrahedron();
+    EXPECT_EQ(solids_of(scene).size(), 1U);
 }
 
 TEST(SceneCheck, free_surfaces_are_flat_and_simple_and_holes_run_against_them) {
