@@ -70,6 +70,19 @@ private:
     bool any_before_ = false;
 };
 
+/// True when some sight line misses the ball around the box: few bodies fill as much of the view as an
+/// opening, and most that do not are told by one product a corner.
+bool looks_past_ball(const Box& box, const Vec3& eye, std::span<const Vec3> points) {
+    const Vec3 centre = box.centre() - eye, half = box.half_size();
+    const double tangent_square = glm::dot(centre, centre) - glm::dot(half, half);
+    if (tangent_square <= 0.0) return false;
+    return std::ranges::any_of(points, [&](const Vec3& point) {
+        const Vec3 along = point - eye;
+        const double near = glm::dot(along, centre);
+        return near <= 0.0 || near * near < tangent_square * glm::dot(along, along);
+    });
+}
+
 /// Every sight line runs deeper than `margin` through the solid before it ends.
 bool solid_hides_all(const BodyShape& shape, const Vec3& eye, std::span<const Vec3> points, double margin) {
     return std::ranges::all_of(points, [&](const Vec3& point) {
@@ -106,9 +119,8 @@ bool sheet_hides_all(const BodyShape& shape, const Vec3& eye, std::span<const Ve
 }  // namespace
 
 bool hides_all(const BodyShape& shape, const Vec3& eye, std::span<const Vec3> points, double margin) {
-    if (shape.faces.empty()) return false;
-    return shape.flat ? sheet_hides_all(shape, eye, points, margin)
-                      : solid_hides_all(shape, eye, points, margin);
+    if (shape.faces.empty() || looks_past_ball(shape.box, eye, points)) return false;
+    return shape.flat ? sheet_hides_all(shape, eye, points, margin) : solid_hides_all(shape, eye, points, margin);
 }
 
 Hides hidden_region(const BodyShape& shape, const Vec3& eye, const Vec3& beside, double same_place,
