@@ -17,11 +17,12 @@ set(ui_window ${ui_panels} ui/panels)
 set(app ${ui_window} engine/project ui/window)
 
 # Libraries that belong to one place: a pattern, and the rooms that may include it.
-set(libraries "imgui" "GLFW/" "glad/" "nlohmann/" "CLI/" "cairo" "png.h" "EGL/" "pugixml")
+set(libraries "imgui" "GLFW/" "glad/" "nlohmann/" "CLI/" "cairo" "png.h" "EGL/" "pugixml" "polyclipping")
 set(imgui_rooms ui/panels ui/window)
 set(GLFW__rooms ui/window)
 set(glad__rooms ui/view ui/window)
 set(nlohmann__rooms engine/project engine/report app)
+set(polyclipping_rooms engine/direct)
 set(pugixml_rooms engine/project)
 set(CLI__rooms app)
 set(cairo_rooms ui/view engine/report)
