@@ -114,8 +114,14 @@ void add_render(CLI::App& app, Arguments& arguments) {
     command->add_option("--view", request.view, "A saved view by name or number, \"overview\" or \"plan\"");
     command->add_option("--size", arguments.render_size, "Size of the picture in pixels")
         ->check(CLI::Validator(check_size, "WxH"));
-    command->add_option("--part", request.part, "Which light; four-up: all four side by side")
-        ->check(CLI::IsMember({"total", "direct", "interreflected", "unshadowed", "four-up"}));
+    command
+        ->add_option("--part", request.part,
+                     "Which light; four-up: all four side by side; shadow-classes: patches by how light reaches them")
+        ->check(CLI::IsMember({"total", "direct", "interreflected", "unshadowed", "four-up", "shadow-classes"}));
+    command->add_flag("--shadow-outlines", request.shadow_outlines,
+                      "Draw the borders of umbra (solid) and penumbra (dashed) over the picture");
+    command->add_option("--luminaire", request.luminaire,
+                        "Whose shadow classes and outlines, by name or number; none: all luminaires");
     command->add_option("--scale", request.scale, "How it is coloured")
         ->check(CLI::IsMember({"false-colour", "photo"}));
     command->add_option("--steps", request.steps, "Colour scale: logarithmic, linear, or steps of EN 12464-1")

@@ -26,7 +26,9 @@ struct RenderRequest {
     std::filesystem::path project, out;
     std::string view;  ///< a saved view by name or number from 1; "overview", "plan"; empty: the first
     int width = 1280, height = 800;
-    std::string part = "total";  ///< or "four-up"
+    std::string part = "total";  ///< or "four-up", "shadow-classes"
+    bool shadow_outlines = false;
+    std::string luminaire;  ///< whose shadows, by name or number from 1; empty: all
     std::string scale = "false-colour";
     std::string steps = "log";        ///< log, linear, en
     std::optional<double> low, high;  ///< lx

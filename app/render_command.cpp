@@ -36,9 +36,27 @@ ViewOptions options_for(const RenderRequest& request) {
         if (name_of(part) == request.part) options.part = part;
     for (const Scale scale : {Scale::false_colour, Scale::photo})
         if (name_of(scale) == request.scale) options.scale = scale;
+    options.shadow_classes = request.part == "shadow-classes";
+    options.shadow_outlines = request.shadow_outlines;
     if (request.steps == "linear") options.steps = ColourSteps::linear;
     if (request.steps == "en") options.steps = ColourSteps::standard_steps;
     return options;
+}
+
+/// The luminaire whose shadows are asked for; the id of nothing for all. Empty when there is none such.
+std::optional<ObjectId> luminaire_for(const std::string& wanted, const Scene& scene) {
+    if (wanted.empty()) return ObjectId{};
+    for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
+        if (scene.luminaires[k].name == wanted || std::to_string(k + 1) == wanted) return scene.luminaires[k].id;
+    }
+    return std::nullopt;
+}
+
+void print_unknown_luminaire(const std::string& wanted, const Scene& scene) {
+    std::fprintf(stderr, "--luminaire: no luminaire \"%s\"; there are 1 to %zu", wanted.c_str(),
+                 scene.luminaires.size());
+    for (const Luminaire& luminaire : scene.luminaires) std::fprintf(stderr, ", \"%s\"", luminaire.name.c_str());
+    std::fputs("\n", stderr);
 }
 
 void print_unknown_view(const RenderRequest& request, const Scene& scene) {
@@ -97,6 +115,10 @@ int render_command(const RenderRequest& request) {
         std::fputs("--exact: not for --part four-up; ask for the four parts one by one\n", stderr);
         return exit_bad_input;
     }
+    if (request.exact && request.part == "shadow-classes") {
+        std::fputs("--exact: not for --part shadow-classes; classes are of whole patches\n", stderr);
+        return exit_bad_input;
+    }
     auto project = open_project(request.project);
     if (!project) return exit_bad_input;
     request.change(project->settings);
@@ -111,8 +133,15 @@ int render_command(const RenderRequest& request) {
         return exit_bad_input;
     }
     picture.camera = *camera;
+    const auto luminaire = luminaire_for(request.luminaire, *scene);
+    if (!luminaire) {
+        print_unknown_luminaire(request.luminaire, *scene);
+        return exit_bad_input;
+    }
+    picture.options.shadows_of = *luminaire;
 
     StudyRequest wanted{.display = true};
+    wanted.shadows = picture.options.shadow_classes || picture.options.shadow_outlines;
     wanted.unshadowed = four_up || picture.options.part == LightPart::unshadowed;
     Interrupt interrupt;
     const SolutionSnapshot solution = solved(scene, project->settings, wanted, interrupt.token());

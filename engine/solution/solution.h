@@ -4,6 +4,7 @@
 #include "engine/base/progress.h"
 #include "engine/mesh/mesh.h"
 #include "engine/plan/plan.h"
+#include "engine/solution/shadows.h"
 
 #include <map>
 #include <memory>
@@ -112,6 +113,7 @@ struct Solution {
     std::vector<GridResult> grids;
     std::map<SurfaceRef, PointValue> face_means;  ///< area means of every face
     std::shared_ptr<const DisplayMesh> display;
+    std::shared_ptr<const Shadows> shadows;  ///< null unless asked for
 
     EnergyBalance energy;
     int bounces = 0;

@@ -4,6 +4,7 @@
 #include "engine/study/display_stage.h"
 #include "engine/study/level.h"
 #include "engine/study/outcome.h"
+#include "engine/study/shadow_stage.h"
 #include "engine/study/stage_keys.h"
 #include "engine/study/value_stage.h"
 
@@ -59,6 +60,7 @@ struct Study::Stages {
     std::shared_ptr<const OccluderSet> occluders;
     Receivers points, vertices;
     StageCache<DisplayKey, DirectDisplay> direct_display;
+    ShadowStage shadow_stage;
 
     struct Run {
         SceneSnapshot scene;
@@ -71,6 +73,7 @@ struct Study::Stages {
     };
 
     void prepare(Run& run);
+    bool shadows(Run& run);
     bool values(Run& run, const LevelAnswer& answer, const LevelAnswer* rough);
     bool display(Run& run, const std::vector<double>& interreflected, const std::vector<double>& open);
     std::optional<std::vector<double>> vertex_interreflected(Run& run, const LevelAnswer& answer);
@@ -107,6 +110,13 @@ void Study::Stages::prepare(Run& run) {
     refresh(vertices, vertex_receivers(*run.solution->mesh), std::equal_to{});
     run.solution->points = std::move(places.points);
     run.solution->grids = std::move(places.grids);
+}
+
+bool Study::Stages::shadows(Run& run) {
+    run.clock.enter(Stage::refining);
+    Solution& solution = *run.solution;
+    solution.shadows = shadow_stage.get(*run.scene, solution.mesh, run.fine_input().occluders, run.work);
+    return solution.shadows != nullptr;
 }
 
 std::optional<std::vector<double>> Study::Stages::direct_at_points(Run& run) {
@@ -221,6 +231,7 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
     Stages::Run run{std::move(scene), settings, request, work, StageClock(work.progress), nullptr};
     run.work.threads = settings.threads > 0 ? settings.threads : hardware_threads();
     stages_->prepare(run);
+    if (request.shadows && !stages_->shadows(run)) return nullptr;
 
     const auto on_direct = [&](const LevelAnswer& answer) {
         if (!publish) return;

@@ -132,6 +132,22 @@ TEST(TheDesk, reads_the_light_under_the_pointer) {
     EXPECT_NE(state(driver, "probe").find("interreflected"), std::string::npos);
 }
 
+TEST(TheDesk, works_out_shadows_while_they_are_looked_at_and_follows_the_chosen_luminaire) {
+    Driver driver(setup());
+    ASSERT_TRUE(driver.wait_settled());
+    EXPECT_EQ(driver.workbench().study().solution()->shadows, nullptr);
+    EXPECT_DONE(driver.click("view.shadow_classes"));
+    EXPECT_DONE(driver.press("O"));
+    ASSERT_TRUE(driver.wait_settled());
+    ASSERT_NE(driver.workbench().study().solution()->shadows, nullptr);
+    EXPECT_EQ(state(driver, "shadow classes"), "true");
+    EXPECT_EQ(state(driver, "shadow outlines"), "true");
+    EXPECT_DONE(driver.click("tree." + panel));
+    EXPECT_DONE(driver.click("view.direct"));
+    EXPECT_EQ(state(driver, "shadow classes"), "false");
+    EXPECT_EQ(state(driver, "part"), "direct");
+}
+
 TEST(TheDesk, exports_an_annotated_and_a_plain_picture) {
     const auto file = scratch("exported.png");
     const auto plain = scratch("exported-plain.png");

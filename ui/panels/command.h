@@ -45,6 +45,8 @@ enum class CommandId {
     part_unshadowed,
     four_up,
     toggle_photo,
+    toggle_shadow_classes,
+    toggle_shadow_outlines,
     toggle_isolux,
     toggle_mesh,
     toggle_grids,

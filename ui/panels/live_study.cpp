@@ -20,6 +20,7 @@ bool LiveStudy::answers(const Solution& solution) const {
 bool LiveStudy::fresh() const {
     if (pending_ || wish_.in_gesture || !solution_ || !solution_->complete) return false;
     if (wish_.unshadowed && !(solution_->display && solution_->display->has_unshadowed)) return false;
+    if (wish_.shadows && !solution_->shadows) return false;
     return solution_->scene == final_scene_ && answers(*solution_);
 }
 
@@ -48,14 +49,15 @@ void LiveStudy::start() {
                      [](const Diagnostic& a, const Diagnostic& b) { return a.severity > b.severity; });
     if (fault() != nullptr) return job_.cancel();
     if (!wish_.in_gesture) final_scene_ = wish_.scene;
-    job_.start(wish_.scene, wish_.settings,
-               {.display = true, .unshadowed = wish_.unshadowed, .mesh_error = !wish_.in_gesture});
+    job_.start(
+        wish_.scene, wish_.settings,
+        {.display = true, .unshadowed = wish_.unshadowed, .shadows = wish_.shadows, .mesh_error = !wish_.in_gesture});
 }
 
 void LiveStudy::follow(const Wish& wish) {
     take();
     const bool same_scene = wish_.scene && (wish.scene == wish_.scene || *wish.scene == *wish_.scene);
-    const bool more = wish.unshadowed && !wish_.unshadowed;
+    const bool more = (wish.unshadowed && !wish_.unshadowed) || (wish.shadows && !wish_.shadows);
     const bool released = wish_.in_gesture && !wish.in_gesture;
     if (!same_scene || wish.settings != wish_.settings || more || released) {
         pending_ = true;
@@ -63,8 +65,10 @@ void LiveStudy::follow(const Wish& wish) {
         answer_seconds_ = -1.0;
     }
     const bool unshadowed = wish.unshadowed || (wish_.unshadowed && same_scene);
+    const bool shadows = wish.shadows || (wish_.shadows && same_scene);
     wish_ = wish;
     wish_.unshadowed = unshadowed;
+    wish_.shadows = shadows;
     if (!pending_) return;
     const bool patient = wish_.in_gesture && started_ && job_.busy() && Clock::now() - started_at_ < patience;
     if (!patient) start();

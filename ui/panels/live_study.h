@@ -22,6 +22,7 @@ public:
         Settings settings;
         bool unshadowed = false;  ///< the part without shadows is looked at
         bool in_gesture = false;  ///< the next scene will follow in a moment
+        bool shadows = false;     ///< classes or outlines of shadows are looked at
     };
 
     /// Once a frame. During a gesture a running study may finish first, or run 0.25 s: restarted at

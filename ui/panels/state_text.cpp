@@ -71,6 +71,8 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     state["snap"] = truth(workbench.is_snapping());
     state["part"] =
         workbench.viewport().state.four_up ? "four" : std::string(name_of(workbench.viewport().state.options.part));
+    state["shadow classes"] = truth(workbench.viewport().state.options.shadow_classes);
+    state["shadow outlines"] = truth(workbench.viewport().state.options.shadow_outlines);
     state["scale"] = std::string(name_of(workbench.viewport().state.options.scale));
     state["range.low"] = fmt::format("{}", workbench.viewport().state.options.range.low);
     state["range.high"] = fmt::format("{}", workbench.viewport().state.options.range.high);

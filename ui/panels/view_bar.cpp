@@ -27,13 +27,13 @@ bool segment(const char* label, bool on, CommandId id, WidgetRegistry& widgets) 
 }
 
 void gap() {
-    ImGui::SameLine(0.0F, 10.0F * style::scale());
+    ImGui::SameLine(0.0F, 6.0F * style::scale());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight();
     ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 4.0F}, {at.x, at.y + height - 4.0F},
                                         ImGui::GetColorU32(ImGuiCol_Separator));
     ImGui::Dummy({1.0F, height});
-    ImGui::SameLine(0.0F, 9.0F * style::scale());
+    ImGui::SameLine(0.0F, 5.0F * style::scale());
 }
 
 void parts(ViewState& state, WidgetRegistry& widgets) {
@@ -49,12 +49,17 @@ void parts(ViewState& state, WidgetRegistry& widgets) {
         Choice{"Unshadowed", LightPart::unshadowed, CommandId::part_unshadowed},
     };
     for (const Choice& choice : choices) {
-        if (!segment(choice.label, !state.four_up && state.options.part == choice.part, choice.command, widgets))
+        if (!segment(choice.label, !state.four_up && !state.options.shadow_classes && state.options.part == choice.part,
+                     choice.command, widgets))
             continue;
         state.options.part = choice.part;
+        state.options.shadow_classes = false;
         state.four_up = false;
     }
-    if (segment("Four", state.four_up, CommandId::four_up, widgets)) state.four_up = !state.four_up;
+    if (segment("Four", state.four_up, CommandId::four_up, widgets)) {
+        state.four_up = !state.four_up;
+        state.options.shadow_classes = false;
+    }
 }
 
 void scale_menu(ViewState& state, const SolutionSnapshot& solution, WidgetRegistry& widgets) {
@@ -87,6 +92,16 @@ void scale_menu(ViewState& state, const SolutionSnapshot& solution, WidgetRegist
     ImGui::EndPopup();
 }
 
+void shadows(ViewState& state, WidgetRegistry& widgets) {
+    bool& classes = state.options.shadow_classes;
+    bool& outlines = state.options.shadow_outlines;
+    if (segment("Shadows", classes && !state.four_up, CommandId::toggle_shadow_classes, widgets)) {
+        classes = state.four_up || !classes;
+        state.four_up = false;
+    }
+    if (segment("Outlines", outlines, CommandId::toggle_shadow_outlines, widgets)) outlines = !outlines;
+}
+
 void views_menu(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
     if (ImGui::Button("Views")) ImGui::OpenPopup("views");
     widgets.note("view.views");
@@ -108,8 +123,16 @@ void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solu
     parts(state, widgets);
     gap();
     const bool photo = state.options.scale == Scale::photo;
-    if (segment("False colour", !photo, CommandId::toggle_photo, widgets)) state.options.scale = Scale::false_colour;
-    if (segment("Photo", photo, CommandId::toggle_photo, widgets)) state.options.scale = Scale::photo;
+    const bool light = state.four_up || !state.options.shadow_classes;
+    const auto choose = [&](const char* label, Scale scale, bool on) {
+        if (!segment(label, light && on, CommandId::toggle_photo, widgets)) return;
+        state.options.scale = scale;
+        state.options.shadow_classes = false;
+    };
+    choose("False colour", Scale::false_colour, !photo);
+    choose("Photo", Scale::photo, photo);
+    gap();
+    shadows(state, widgets);
     gap();
     scale_menu(state, solution, widgets);
     ImGui::SameLine(0.0F, 2.0F * style::scale());

@@ -14,4 +14,8 @@ float legend_margin();
 /// The colour scale with its range, in the top right corner of the given rectangle. Nothing for photos.
 void legend(ViewState& state, const ScreenRect& view, WidgetRegistry& widgets);
 
+/// The key to the shadow classes in its place, with whose shadows they are and how much each holds.
+void class_legend(const ViewOptions& look, const SolutionSnapshot& solution, const ScreenRect& view,
+                  WidgetRegistry& widgets);
+
 }  // namespace hanei

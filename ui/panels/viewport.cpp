@@ -69,7 +69,9 @@ ViewOptions Viewport::options_of(const Input& input, int k) const {
     ViewOptions look = state.options;
     look.dark_background = true;
     if (state.four_up) look.part = four_parts[k];
+    look.shadow_classes &= !state.four_up;
     const ObjectKind kind = kind_of(*input.scene, input.selected);
+    look.shadows_of = kind == ObjectKind::luminaire ? input.selected : ObjectId{};
     look.grids |= kind == ObjectKind::grid || kind == ObjectKind::point;
     return look;
 }

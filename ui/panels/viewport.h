@@ -44,6 +44,9 @@ public:
     /// Draws into the rest of the present ImGui window.
     Outcome draw(const Input& input, const ViewPainter& paint, WidgetRegistry& widgets);
 
+    /// What the (first) picture shows: the state with what follows from the selection.
+    ViewOptions shown_options(const Input& input) const { return options_of(input, 0); }
+
     bool dragging() const { return drag_.has_value(); }
     bool moving() const { return drag_.has_value() || turning_; }
     const std::optional<Probe>& probe() const { return probe_; }

@@ -46,7 +46,8 @@ void Workbench::settle() {
 
 void Workbench::follow_study() {
     const bool unshadowed = viewport_.state.four_up || viewport_.state.options.part == LightPart::unshadowed;
-    study_.follow({document_.shown(), document_.settings(), unshadowed, document_.in_gesture()});
+    const bool shadows = viewport_.state.options.shadow_classes || viewport_.state.options.shadow_outlines;
+    study_.follow({document_.shown(), document_.settings(), unshadowed, document_.in_gesture(), shadows});
     ViewState& view = viewport_.state;
     if (!view.range_fitted && study_.solution() && study_.solution()->complete) {
         view.options.range = suggested_range(*study_.solution());

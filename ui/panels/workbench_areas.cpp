@@ -56,11 +56,13 @@ void Workbench::menu_bar() {
         std::string label(entry.label);
         if (entry.id == CommandId::undo && can(entry.id)) label += " " + document_.history().undo_name();
         if (entry.id == CommandId::redo && can(entry.id)) label += " " + document_.history().redo_name();
-        const bool ticked = (entry.id == CommandId::toggle_snap && snaps_) ||
-                            (entry.id == CommandId::four_up && viewport_.state.four_up) ||
-                            (entry.id == CommandId::toggle_body && viewport_.state.photometric_body) ||
-                            (entry.id == CommandId::toggle_isolux && viewport_.state.options.isolux) ||
-                            (entry.id == CommandId::toggle_photo && viewport_.state.options.scale == Scale::photo);
+        const bool ticked =
+            (entry.id == CommandId::toggle_snap && snaps_) ||
+            (entry.id == CommandId::four_up && viewport_.state.four_up) ||
+            (entry.id == CommandId::toggle_shadow_classes && viewport_.state.options.shadow_classes) ||
+            (entry.id == CommandId::toggle_shadow_outlines && viewport_.state.options.shadow_outlines) ||
+            (entry.id == CommandId::toggle_isolux && viewport_.state.options.isolux) ||
+            (entry.id == CommandId::toggle_photo && viewport_.state.options.scale == Scale::photo);
         const bool wished = ImGui::MenuItem((label + "###" + std::string(entry.name)).c_str(),
                                             to_text(entry.chord).c_str(), ticked, can(entry.id));
         widgets_.note(std::string(entry.name));
@@ -189,7 +191,10 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     begin_panel("##view", view, false);
     const Viewport::Input input{document_.shown(), study_.solution(), selected_, raster(), !study_.fresh()};
     const Viewport::Outcome outcome = viewport_.draw(input, paint, widgets_);
-    legend(viewport_.state, view, widgets_);
+    if (viewport_.shown_options(input).shadow_classes)
+        class_legend(viewport_.shown_options(input), study_.solution(), view, widgets_);
+    else
+        legend(viewport_.state, view, widgets_);
     end_panel();
     ImGui::PopStyleColor();
     if (outcome.chosen) selected_ = *outcome.chosen;

@@ -64,6 +64,7 @@ void Workbench::carry_out(CommandId id) {
     const Scene& scene = *document_.shown();
     const auto show = [&](LightPart part) {
         view.options.part = part;
+        view.options.shadow_classes = false;
         view.four_up = false;
     };
     switch (id) {
@@ -156,6 +157,13 @@ void Workbench::carry_out(CommandId id) {
             return;
         case CommandId::toggle_photo:
             view.options.scale = view.options.scale == Scale::photo ? Scale::false_colour : Scale::photo;
+            return;
+        case CommandId::toggle_shadow_classes:
+            view.options.shadow_classes = view.four_up || !view.options.shadow_classes;
+            view.four_up = false;
+            return;
+        case CommandId::toggle_shadow_outlines:
+            view.options.shadow_outlines = !view.options.shadow_outlines;
             return;
         case CommandId::toggle_isolux:
             view.options.isolux = !view.options.isolux;

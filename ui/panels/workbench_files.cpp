@@ -66,6 +66,7 @@ void Workbench::after_frame() {
     plain.replace_filename(file.stem().string() + "-plain.png");
     const PixelSize size{1600, static_cast<int>(1600.0 / viewport_.aspect())};
     PictureRequest request{viewport_.state.camera, viewport_.state.options, size, true, {}};
+    request.options.shadows_of = selected_;
     try {
         const bool four = viewport_.state.four_up;
         const auto picture = [&] {

@@ -54,13 +54,22 @@ std::string heading_of(LightPart part) {
 Caption caption_of(const Solution& solution, const ViewOptions& look) {
     Caption caption;
     const std::string title = solution.scene != nullptr ? solution.scene->title : std::string();
-    const std::string kind =
-        look.scale == Scale::photo ? "photo view, " + std::string(name_of(look.part)) : heading_of(look.part);
+    const std::string kind = look.shadow_classes
+                                 ? "Shadow classes, " + shadows_of_text(*solution.scene, look.shadows_of)
+                             : look.scale == Scale::photo ? "photo view, " + std::string(name_of(look.part))
+                                                          : heading_of(look.part);
     caption.title = title.empty() ? kind : title + " – " + kind;
+    if (look.shadow_outlines && !look.shadow_classes)
+        caption.title += ", shadows of " + shadows_of_text(*solution.scene, look.shadows_of);
     const std::size_t patches = solution.mesh != nullptr ? solution.mesh->patches.size() : 0;
     caption.detail = fmt::format("Method {}, {} patches of {:.3g} m at most, {} interreflections{}. Error: {}.",
                                  name_of(solution.settings.method), patches, solution.settings.max_patch,
                                  solution.bounces, solution.complete ? "" : " so far", error_text(solution));
+    if (look.shadow_classes)
+        caption.detail =
+            fmt::format("{} patches of {:.3g} m at most. Lit, umbra and away are proved; partly lit is the rest.",
+                        patches, solution.settings.max_patch);
+    if (look.shadow_outlines) caption.detail = std::string(outline_text()) + ". " + caption.detail;
     return caption;
 }
 

@@ -157,7 +157,8 @@ std::string lux_text(double lux) {
 std::vector<IsoluxLabel> isolux_labels(const Solution& solution, const Camera& camera, const ViewOptions& look,
                                        PixelSize size, double scale) {
     std::vector<IsoluxLabel> labels;
-    const bool shown = look.isolux && look.scale == Scale::false_colour && has_part(solution, look.part);
+    const bool shown =
+        look.isolux && look.scale == Scale::false_colour && !look.shadow_classes && has_part(solution, look.part);
     if (!shown || solution.mesh == nullptr || size.width < 2 || size.height < 2) return labels;
     const std::vector<double> steps = standard_steps(look.range);
     const double shrink = static_cast<double>(buffer_height) / size.height;

@@ -79,6 +79,27 @@ private:
     gl::Vertices vertices_;
 };
 
+/// Classes of patches, and outlines of shadows.
+class ShadowLayer {
+public:
+    ShadowLayer();
+    void set(SolutionSnapshot solution);  ///< null, or without shadows: nothing to draw
+    bool has_any() const { return solution_ != nullptr; }
+    /// Need      has_any(). `of`: a luminaire, else all together.
+    void draw_patches(const Pass& pass, ObjectId of);
+    void draw_lines(const Pass& pass, ObjectId of, float lift);
+
+private:
+    void choose(ObjectId of);
+    gl::Program program_;
+    gl::Vertices patches_;
+    LineLayer lines_;
+    SolutionSnapshot solution_;
+    ObjectId of_;
+    bool patches_loaded_ = false, lines_loaded_ = false;
+    float lines_scale_ = 0.0F;
+};
+
 class DotLayer {
 public:
     DotLayer();

@@ -27,7 +27,10 @@ Page page_of(const PictureRequest& request) {
     page.scale = std::clamp(request.size.height / 800.0, 0.75, 6.0);
     if (!request.annotated) return page;
     page.caption = static_cast<int>(std::lround(54.0 * page.scale));
-    if (request.options.scale == Scale::false_colour) page.legend = legend_width(request.options, page.scale);
+    if (request.options.shadow_classes) {
+        page.legend = class_legend_width(page.scale);
+    } else if (request.options.scale == Scale::false_colour)
+        page.legend = legend_width(request.options, page.scale);
     return page;
 }
 
@@ -75,7 +78,9 @@ void letter_page(Canvas& canvas, const Solution& solution, const PictureRequest&
     if (page.legend > 0) {
         const int height = request.size.height - page.caption;
         canvas.rectangle(request.size.width - page.legend, 0.0, page.legend, height, paper);
-        const Image legend = legend_image(request.options, height, page.scale, part);
+        const Image legend = request.options.shadow_classes
+                                 ? class_legend_image(solution, request.options, height, page.scale)
+                                 : legend_image(request.options, height, page.scale, part);
         canvas.picture(legend, request.size.width - page.legend, 0);
     }
     letter_caption(canvas, solution, request, page, part);

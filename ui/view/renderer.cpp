@@ -52,6 +52,7 @@ struct Renderer::Buffers {
     bool mesh_loaded = false;
     Background background;
     CellLayer cells;
+    ShadowLayer shadows;
     PictureLayer picture;
     SolidLayer plain, sub_areas, openings, opening_backs;
     LineLayer edges, mesh, outlines, tubes, highlight_lines;
@@ -103,7 +104,9 @@ struct Renderer::Buffers {
     void draw_surfaces(const Pass& pass, const ViewOptions& look) {
         glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
-        if (solution != nullptr && has_part(*solution, look.part)) {
+        if (look.shadow_classes && shadows.has_any()) {
+            shadows.draw_patches(pass, look.shadows_of);
+        } else if (!look.shadow_classes && solution != nullptr && has_part(*solution, look.part)) {
             cells.draw(pass, look);
         } else {
             plain.draw(pass, 1.0F);
@@ -177,6 +180,7 @@ void Renderer::set_solution(SolutionSnapshot solution) {
     buffers_->solution = drawable ? std::move(solution) : nullptr;
     buffers_->mesh_loaded = false;
     if (drawable) buffers_->cells.set(buffers_->solution);
+    buffers_->shadows.set(buffers_->solution);
     if (buffers_->scene == nullptr) buffers_->edge_scale = 0.0F;
     buffers_->find_bounds();
 }
@@ -209,12 +213,13 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
     if (look.luminaires) b.draw_luminaires(pass, outlined);
     blend(true);
     if (outlined) b.edges.draw(pass, edge_lift);
-    if (look.mesh_lines) {
+    if (look.mesh_lines || look.shadow_classes) {
         b.load_mesh(pass.pixel_scale);
         b.mesh.draw(pass, edge_lift);
     }
+    if (look.shadow_outlines && b.shadows.has_any()) b.shadows.draw_lines(pass, look.shadows_of, mark_lift);
     const Scene* shown = b.shown_scene();
-    if (look.grids && look.scale == Scale::false_colour && shown != nullptr) {
+    if (look.grids && !look.shadow_classes && look.scale == Scale::false_colour && shown != nullptr) {
         b.calculation.set(calculation_dots(*shown, b.solution.get(), look));
         b.calculation.draw(pass);
     }

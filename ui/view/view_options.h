@@ -44,6 +44,9 @@ struct ViewOptions {
     bool grids = true;  ///< calculation points
     bool luminaires = true;
     bool dark_background = false;  ///< for a dark window; pictures for paper are light
+    bool shadow_classes = false;   ///< patches by how light reaches them, in place of the light
+    bool shadow_outlines = false;  ///< borders of umbra and penumbra, over any picture
+    ObjectId shadows_of;           ///< a luminaire; none: of all
     double exposure = 0.0;         ///< photo: stops added to the automatic exposure
     bool operator==(const ViewOptions&) const = default;
 };
