@@ -11,6 +11,9 @@ namespace {
 /// Degrees by which files miss round angles: 89.999 stands for 90.
 constexpr double same_angle = 1e-3;
 
+/// Searchlights stay below 1e10 cd. Sums over the table must stay numbers.
+constexpr double most_candela = 1e15;
+
 bool is_at(double angle, double round) { return std::abs(angle - round) <= same_angle; }
 
 std::optional<PhotometricSymmetry> known_range(double first, double last) {
@@ -100,7 +103,8 @@ void set_candela(Photometry& photometry, std::vector<double> figures, double fac
     double least = 0.0;
     for (double& figure : figures) {
         figure *= factor;
-        if (!std::isfinite(figure)) return findings.fault(line, "candela", "the file's factors make a figure infinite");
+        if (!(std::abs(figure) <= most_candela))
+            return findings.fault(line, "candela", "the file's factors make a figure greater than 1e15 cd");
         if (figure >= 0.0) continue;
         ++negative;
         least = std::min(least, figure);

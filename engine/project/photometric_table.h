@@ -16,7 +16,7 @@ std::optional<PhotometricSymmetry> symmetry_of(PhotometricType type, const std::
                                                int line, LuminaireFindings& findings);
 
 /// Figures to candela: times `factor`; negative ones become 0. Warns of them, of a table that is dark
-/// and of planes 0 and 360 that differ; a figure too great for a number is a fault.
+/// and of planes 0 and 360 that differ; a figure above 1e15 cd is a fault.
 void set_candela(Photometry& photometry, std::vector<double> figures, double factor, int line,
                  LuminaireFindings& findings);
 
