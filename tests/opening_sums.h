@@ -146,7 +146,7 @@ inline double opening_sum(const Photometry& photometry, const LocalReceiver& at,
     }
     const Polygon flat = flat_opening(photometry.opening);
     if (flat.empty()) return hidden && hidden(Vec3{0.0}) ? 0.0 : arriving(photometry, at, Vec3{0.0});
-    return flat_sum(photometry, flat, at, flat.size() > 4 ? (n + 3) / 4 : n, hidden);
+    return flat_sum(photometry, flat, at, flat.size() > 4 ? (n + 1) / 2 : n, hidden);
 }
 
 }  // namespace hanei::testing

@@ -19,17 +19,26 @@ std::vector<BodyIndex> bodies_before(std::span<const Receiver> receivers, const 
 
 }  // namespace
 
-std::optional<std::vector<double>> direct_illuminance(const Emitter& emitter, std::span<const Receiver> receivers,
-                                                      const OccluderSet* occluders, const Work& work) {
-    std::vector<double> arriving(receivers.size());
+std::optional<std::vector<double>> direct_estimates(const Emitter& emitter, std::span<const Receiver> receivers,
+                                                    const OccluderSet* occluders, const Work& work) {
+    std::vector<double> arriving(2 * receivers.size());
     const bool finished = for_each_tile(receivers.size(), 64, work, [&](std::size_t begin, std::size_t end) {
         const std::vector<BodyIndex> among = bodies_before(receivers.subspan(begin, end - begin), emitter, occluders);
         for (std::size_t k = begin; k < end; ++k) {
-            arriving[k] = among.empty() ? emitter.illuminance(receivers[k], nullptr).value
-                                        : emitter.illuminance(receivers[k], *occluders, among).value;
+            const Estimate here = among.empty() ? emitter.estimate(receivers[k], nullptr)
+                                                : emitter.estimate(receivers[k], *occluders, among);
+            arriving[k] = here.value;
+            arriving[receivers.size() + k] = here.error;
         }
     });
     if (!finished) return std::nullopt;
+    return arriving;
+}
+
+std::optional<std::vector<double>> direct_illuminance(const Emitter& emitter, std::span<const Receiver> receivers,
+                                                      const OccluderSet* occluders, const Work& work) {
+    auto arriving = direct_estimates(emitter, receivers, occluders, work);
+    if (arriving) arriving->resize(receivers.size());
     return arriving;
 }
 

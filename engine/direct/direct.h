@@ -1,11 +1,11 @@
 /// Illuminance straight from luminaires, with umbra and penumbra, exact: nothing is sampled but the
-/// directional distribution of measured openings, and that to about 1e-3 of the value
-/// (opening_integral.h). Openings that a file states as boxes, cylinders or spheres shine as the
-/// flat, horizontal rectangle or round they cover seen from below (measured_source.h).
+/// directional distribution of measured openings, and for these every value comes with by how much it
+/// may be off (measured_source.h, opening_integral.h).
 #pragma once
 
 #include "engine/base/progress.h"
 #include "engine/base/quantity.h"
+#include "engine/direct/estimate.h"
 #include "engine/geometry/configuration_factor.h"
 #include "engine/geometry/occluders.h"
 #include "engine/scene/scene.h"
@@ -41,6 +41,10 @@ public:
     Illuminance illuminance(const Receiver& receiver, const OccluderSet& occluders,
                             std::span<const BodyIndex> among) const;
 
+    /// The same with by how much the value may be off, lx: 0 but for measured openings.
+    Estimate estimate(const Receiver& receiver, const OccluderSet* occluders) const;
+    Estimate estimate(const Receiver& receiver, const OccluderSet& occluders, std::span<const BodyIndex> among) const;
+
     LuminousFlux flux() const;  ///< at full output
     ObjectId luminaire() const;
 
@@ -58,6 +62,10 @@ private:
 /// Illuminance at every receiver from one emitter at full output; empty when stopped.
 std::optional<std::vector<double>> direct_illuminance(const Emitter& emitter, std::span<const Receiver> receivers,
                                                       const OccluderSet* occluders, const Work& work);
+
+/// The same, followed by as many errors of these values.
+std::optional<std::vector<double>> direct_estimates(const Emitter& emitter, std::span<const Receiver> receivers,
+                                                    const OccluderSet* occluders, const Work& work);
 
 /// Mean illuminance over every convex polygon (patch). In free light 2 x 2 Gauss points (3 in a
 /// triangle), four times as many once or twice more where they differ by over 5 %; 4 x 4 and up to

@@ -118,16 +118,18 @@ Made measured(const Scene& scene, const Luminaire& luminaire, const Measured& di
     if (!photometry || photometry->candela.empty()) return dark(placed);
     const double file_flux = luminous_flux(*photometry).value;
     const auto* wanted = std::get_if<LuminousFlux>(&luminaire.output);
-    const double scale = wanted ? (file_flux > 0.0 ? wanted->value / file_flux : 0.0) : 1.0;
+    const double of_file = wanted ? (file_flux > 0.0 ? wanted->value / file_flux : 0.0) : 1.0;
+    const double scale = of_file * lamp_tilt_factor(*photometry, tilt_from_vertical(luminaire));
     const LuminousFlux flux{scale * file_flux};
 
+    const bool as_filed = std::holds_alternative<MeasuredOpening>(luminaire.opening);
+    if (as_filed && is_solid(photometry->opening))
+        return {flux, MeasuredSource{placed, solid_opening(photometry->opening), *photometry, scale}};
     Region opening;
     if (const auto* polygon = std::get_if<PolygonOpening>(&luminaire.opening)) opening = polygon->region;
-    if (std::holds_alternative<MeasuredOpening>(luminaire.opening)) {
-        opening.outline = flat_opening(photometry->opening);
-    }
+    if (as_filed) opening.outline = flat_opening(photometry->opening);
     if (convex_pieces(opening).empty()) return {flux, PointSource{placed, *photometry, scale}};
-    return {flux, MeasuredSource{placed, placed.region(opening), *photometry, scale}};
+    return {flux, MeasuredSource{placed, opening, *photometry, scale}};
 }
 
 Made make(const Scene& scene, const Luminaire& luminaire) {
@@ -142,7 +144,7 @@ struct ExtentOf {
     std::vector<Vec3> operator()(const PointSource& source) const { return {source.position()}; }
     std::vector<Vec3> operator()(const LineSource& source) const { return {source.from, source.to}; }
     std::vector<Vec3> operator()(const DiffuseSource& source) const { return source.extent(); }
-    std::vector<Vec3> operator()(const MeasuredSource& source) const { return source.outline(); }
+    std::vector<Vec3> operator()(const MeasuredSource& source) const { return source.extent(); }
 };
 
 struct PiecesOf {
@@ -173,27 +175,27 @@ struct Arriving {
     const Receiver& receiver;
     Obstacles obstacles;
 
-    double operator()(const PointSource& source) const {
+    Estimate operator()(const PointSource& source) const {
         const double whole = source.unobstructed(receiver);
-        if (whole == 0.0 || !obstacles.occluders) return whole;
+        if (whole == 0.0 || !obstacles.occluders) return {whole};
         std::vector<BodyIndex>& found = bodies_between({&source.position(), 1});
-        return obstacles.occluders->blocks(receiver.position, source.position(), found) ? 0.0 : whole;
+        return obstacles.occluders->blocks(receiver.position, source.position(), found) ? Estimate{} : Estimate{whole};
     }
-    double operator()(const LineSource& source) const {
+    Estimate operator()(const LineSource& source) const {
         const double whole = source.unobstructed(receiver);
-        if (whole == 0.0 || !obstacles.occluders) return whole;
+        if (whole == 0.0 || !obstacles.occluders) return {whole};
         const std::array ends{source.from, source.to};
         std::vector<BodyIndex>& found = bodies_between(ends);
-        if (found.empty()) return whole;
+        if (found.empty()) return {whole};
         double sum = 0.0;
         for (const auto& [first, last] :
              visible_intervals(source.from, source.to, receiver.position, *obstacles.occluders, found)) {
             sum += source.unobstructed(receiver, first, last);
         }
-        return sum;
+        return {sum};
     }
-    double operator()(const DiffuseSource& source) const { return source.obstructed(receiver, obstacles); }
-    double operator()(const MeasuredSource& source) const { return source.obstructed(receiver, obstacles); }
+    Estimate operator()(const DiffuseSource& source) const { return {source.obstructed(receiver, obstacles)}; }
+    Estimate operator()(const MeasuredSource& source) const { return source.obstructed(receiver, obstacles); }
 
 private:
     std::vector<BodyIndex>& bodies_between(std::span<const Vec3> points) const {
@@ -213,13 +215,22 @@ Emitter::Emitter(const Scene& scene, const Luminaire& luminaire) {
         Parts{luminaire.id, made.flux, std::move(made.source), std::move(extent), std::move(pieces)});
 }
 
+Estimate Emitter::estimate(const Receiver& receiver, const OccluderSet* occluders) const {
+    return std::visit(Arriving{receiver, {occluders, parts_->luminaire.value, {}}}, parts_->source);
+}
+
+Estimate Emitter::estimate(const Receiver& receiver, const OccluderSet& occluders,
+                           std::span<const BodyIndex> among) const {
+    return std::visit(Arriving{receiver, {&occluders, parts_->luminaire.value, among}}, parts_->source);
+}
+
 Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet* occluders) const {
-    return {std::visit(Arriving{receiver, {occluders, parts_->luminaire.value, {}}}, parts_->source)};
+    return {estimate(receiver, occluders).value};
 }
 
 Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet& occluders,
                                  std::span<const BodyIndex> among) const {
-    return {std::visit(Arriving{receiver, {&occluders, parts_->luminaire.value, among}}, parts_->source)};
+    return {estimate(receiver, occluders, among).value};
 }
 
 LuminousFlux Emitter::flux() const { return parts_->flux; }

@@ -69,7 +69,8 @@ IntensityTable::Angles::Place IntensityTable::Angles::search(double angle, std::
     return {k, std::clamp((angle - angles_[k]) * inverse_width_[k], 0.0, 1.0)};
 }
 
-IntensityTable::IntensityTable(Photometry photometry) : photometry_(std::move(photometry)) {
+IntensityTable::IntensityTable(Photometry photometry)
+    : photometry_(std::move(photometry)), peak_(peak_intensity(photometry_).value) {
     if (photometry_.type != PhotometricType::C || photometry_.vertical_deg.size() < 2) return;
     vertical_ = Angles(photometry_.vertical_deg);
     prepared_ = unfold();

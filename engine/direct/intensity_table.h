@@ -24,6 +24,7 @@ public:
     double candela(const Vec3& direction) const;
 
     const Photometry& photometry() const { return photometry_; }
+    double peak() const { return peak_; }  ///< candela
 
 private:
     /// Increasing angles with the place to begin at for every step of the way.
@@ -57,6 +58,7 @@ private:
     Photometry photometry_;
     Angles vertical_, planes_;
     std::vector<std::size_t> row_of_;  ///< of unfolded planes: where their candela begin
+    double peak_ = 0.0;
     bool prepared_ = false;
 };
 

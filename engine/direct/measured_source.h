@@ -3,42 +3,65 @@
 
 #include "engine/direct/intensity_table.h"
 #include "engine/direct/obstacles.h"
+#include "engine/direct/opening_integral.h"
 #include "engine/geometry/configuration_factor.h"
+#include "engine/scene/opening_shape.h"
 #include "engine/scene/placement.h"
+#include "engine/scene/point_certificate.h"
 #include "engine/scene/scene.h"
 
-#include <span>
+#include <optional>
 #include <vector>
 
 namespace hanei {
 
-/// An element dA at x gives  k I(direction) cos(theta) / (A r^2) dA:  the luminance k I / (A cos) of
-/// the near-field model, I the file's intensity in the luminaire's frame. The visible part of the
-/// opening is cut out exactly and integrated by Gauss points, split where two levels disagree.
+/// The opening's surface has the luminance  k I / A  towards a direction: I the file's intensity, A the
+/// luminous area projected in that direction. Far away exactly k I results, and all elements together
+/// send k times the file's flux.
+///
+///     E = k integral of  I(e) cos / A(e)  over the solid angle of what is seen of the opening
+///
+/// A flat opening has the same share of I in every element, whichever side of it the file sends light
+/// to: what goes above the horizon of a panel comes from the same rectangle. A solid shines from the
+/// faces that the receiver is before (measured_opening.h). The visible part of each is cut out exactly
+/// and integrated by Gauss points, split where two levels disagree.
+///
+/// Where nothing is in between and the certificate leaves less than share_left_out_by_points, the opening is
+/// taken for a point, and the certificate's bound is the error.
 class MeasuredSource {
 public:
-    /// `opening` in scene coordinates; `scale` is k.
+    /// `opening`: flat, in the luminaire's frame; `scale` is k.
     MeasuredSource(const Placement& placed, const Region& opening, Photometry photometry, double scale);
+    MeasuredSource(const Placement& placed, const OpeningSolid& opening, Photometry photometry, double scale);
 
-    double unobstructed(const Receiver& receiver) const { return obstructed(receiver, Obstacles{}); }
-    double obstructed(const Receiver& receiver, const Obstacles& obstacles) const;
+    /// Estimate::error: lx, by which the value may be off (opening_integral.h).
+    Estimate unobstructed(const Receiver& receiver) const { return obstructed(receiver, Obstacles{}); }
+    Estimate obstructed(const Receiver& receiver, const Obstacles& obstacles) const;
 
-    const Polygon& outline() const { return outline_; }
-    std::span<const Polygon> pieces() const { return pieces_; }  ///< convex
+    const Polygon& extent() const { return extent_; }  ///< scene coordinates
+    /// Convex polygons behind whose hull nothing of the opening is: its own, or the faces of the box
+    /// around a solid. Scene coordinates.
+    std::vector<Polygon> pieces() const;
 
     /// Nothing is radiated to places behind every corner of the opening; zero: it shines all around.
-    Vec3 front() const { return dark_above_ ? -rotation_[2] : Vec3{0.0}; }
+    Vec3 front() const { return dark_above_ ? -placed_.rotation[2] : Vec3{0.0}; }
 
 private:
-    bool may_light(const Receiver& receiver) const;
+    enum class Sight { none, partly, whole };  ///< of the opening over the receiver's horizon
+    Sight sight_of(const Receiver& receiver) const;
+    std::optional<Estimate> as_point(const Receiver& receiver) const;
 
-    Mat3 rotation_;
-    std::vector<Polygon> pieces_;  ///< convex
-    Polygon outline_;
+    Placement placed_;
+    std::vector<Polygon> pieces_;  ///< convex, in the luminaire's frame; empty for a solid
+    std::optional<OpeningSolid> solid_;
+    Polygon extent_;
     IntensityTable table_;
-    double scale_over_area_ = 0.0;
-    bool dark_above_ = false;   ///< nothing is radiated above the luminaire's own horizon
-    double finest_beam_ = 1.0;  ///< rad over which the intensity changes by its peak at the fastest
+    PointCertificate certificate_;
+    double scale_ = 0.0;
+    double area_ = 0.0;            ///< m2, of the flat opening
+    bool dark_above_ = false;      ///< nothing is radiated above the luminaire's own horizon
+    double finest_beam_ = 1.0;     ///< rad over which the intensity changes by its peak at the fastest
+    double greatest_error_ = 0.0;  ///< cd by which a point may be off
 };
 
 }  // namespace hanei

@@ -1,8 +1,10 @@
 /// The integral of a measured intensity over a luminous opening.
 #pragma once
 
+#include "engine/direct/estimate.h"
 #include "engine/direct/intensity_table.h"
 #include "engine/geometry/configuration_factor.h"
+#include "engine/scene/opening_shape.h"
 
 #include <array>
 #include <span>
@@ -10,32 +12,39 @@
 
 namespace hanei {
 
-/// Sum over convex polygons of the integral of  I(direction) cos(theta) / r^2  dA.
+/// Sum over convex polygons of the integral of
+///
+///     I(e) cos / r2  dA              of a flat opening
+///     I(e) cos / r2  |n e| / A(e) dA   of faces of a solid: n the face's normal, A the projected area
+///
+/// e the direction to the receiver. Everything is in the luminaire's frame.
 ///
 /// Elements are parallelograms with 2 x 2 Gauss points or triangles with 3. They begin no larger
 /// than the distance times the angle in which the distribution changes; then the one whose four
 /// quarters differ most from it is cut, until all differences together are small.
 ///
-/// Holds     about 1e-3 of the value: the differences overstate the error, but tables are bent at
-///           every angle, so that it is an estimate and no bound. Measured on a 1.2 m x 0.6 m panel,
-///           cosine to cos^100, against fine sums: at most 1e-3 of the greatest illuminance (1e-4 in
-///           the mean), 3e-3 of the value where it is a thousandth of that, 2e-2 in fainter flanks.
+/// Holds     Estimate::error: of 99 cases in 100 the true error is under it (measured over the public
+///           luminaire files at 0.1 to 10 m, whole and cut). It is an estimate and no bound: tables are
+///           bent at every angle.
 /// Weak when the receiver touches the opening: cutting stops after 10 levels.
-/// Cost      2 us for a cosine distribution two metres off, 100 us in a narrow beam.
+/// Cost      1 us for a cosine distribution two metres off, 100 us in a narrow beam.
 class OpeningIntegral {
 public:
-    OpeningIntegral(const IntensityTable& table, const Mat3& rotation, const Receiver& receiver, double finest_beam);
+    /// `solid` is null for a flat opening; everything is borrowed.
+    OpeningIntegral(const IntensityTable& table, const OpeningSolid* solid, const Receiver& receiver,
+                    double finest_beam);
 
     /// Needs     a convex polygon above the receiver's horizon.
     void add(std::span<const Vec3> polygon);
-    double value() const;
+    Estimate value() const;
 
 private:
     /// corner + a u + b v, for a and b from 0 to 1, with a + b <= 1 for a triangle.
     struct Element {
         Vec3 corner, u, v;
         bool triangle = false;
-        double value = 0.0;
+        double value = 0.0;  ///< its part of the integral
+        double clear = 0.0;  ///< the same of an intensity of 1 all around
         std::array<Element, 4> quarters() const;
     };
     /// An element cut into four: their sum, and how far the element's own value was from it.
@@ -44,14 +53,14 @@ private:
         double sum, difference;
         int levels;  ///< how often it may still be cut
     };
-    double arriving(const Vec3& place) const;
-    double sum(const Element& element) const;
+    void measure(Element& element) const;
+    double weight(const Vec3& away, const Vec3& vector_area) const;
     bool is_finer(const Element& element, double share) const;
     void add_element(Element element, int levels);
     Halved halved(const Element& element, int levels) const;
 
     const IntensityTable& table_;
-    const Mat3& rotation_;
+    const OpeningSolid* solid_;
     const Receiver& receiver_;
     double finest_beam_;
     std::vector<Element> elements_;

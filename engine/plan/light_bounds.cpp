@@ -129,7 +129,8 @@ private:
             const double of_file = luminous_flux(photometry).value;
             const bool as_stated = std::holds_alternative<LuminousFlux>(luminaire_.output);
             if (as_stated && !(of_file > 0.0)) return {};
-            const double scale = as_stated ? stated_flux() / of_file : 1.0;
+            const double scale = (as_stated ? stated_flux() / of_file : 1.0) *
+                                 lamp_tilt_factor(photometry, tilt_from_vertical(luminaire_));
             const double radius = radius_of(photometry);
             const double distance = distance_to_fronts(placed_.position, radius, faces_);
             return {scale * of_file, at_distance(scale * peak_intensity(photometry).value, distance), radius > 0.0};

@@ -3,6 +3,7 @@
 #include "engine/base/check.h"
 #include "engine/plan/cost_model.h"
 #include "engine/plan/light_bounds.h"
+#include "engine/plan/measured_openings.h"
 #include "engine/plan/places.h"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ std::string figure(double value) {
 class Planner {
 public:
     Planner(const Scene& scene, const Settings& settings)
-        : settings_(settings),
+        : scene_(scene),
+          settings_(settings),
           faces_(faces_of(scene)),
           obstacles_(obstacles_of(scene)),
           light_(light_bounds(scene, faces_)),
@@ -32,7 +34,8 @@ public:
 
     EffectsPlan plan() const {
         const PlannedEffect between = interreflection();
-        return {{direct_shadows(), penumbra(), between, patch_shadows(between.state), bounces(between.state)}};
+        return {{direct_shadows(), penumbra(), between, patch_shadows(between.state), bounces(between.state),
+                 opening_size()}};
     }
 
 private:
@@ -138,9 +141,17 @@ private:
         return made;
     }
 
+    PlannedEffect opening_size() const {
+        const MeasuredOpenings openings = measured_openings(scene_);
+        if (openings.luminaires == 0)
+            return absent(Effect::opening_size, "No luminaire shines from a measured opening.");
+        return row(Effect::opening_size, EffectState::simulated, openings.why, cost_.direct_ms());
+    }
+
     static constexpr const char* unobstructed =
         "Nothing can stand in the way: no furniture, and everything lies on the front of every surface.";
 
+    const Scene& scene_;
     Settings settings_;
     std::vector<Face> faces_;
     std::string obstacles_;
@@ -179,6 +190,8 @@ std::string_view name_of(Effect effect) {
             return "shadows between surfaces";
         case Effect::bounces:
             return "bounces";
+        case Effect::opening_size:
+            return "size of openings";
     }
     return "";
 }

@@ -16,6 +16,7 @@ enum class Effect {
     interreflection,    ///< light between surfaces at all
     occlusion_patches,  ///< shadow tests between surfaces
     bounces,            ///< how many interreflections
+    opening_size,       ///< measured luminaires shine from their openings, not from points
 };
 
 enum class EffectState { simulated, skipped, not_present };
@@ -24,14 +25,14 @@ enum class EffectState { simulated, skipped, not_present };
 struct PlannedEffect {
     Effect effect = Effect::interreflection;
     EffectState state = EffectState::simulated;
-    std::string why;               ///< one sentence with the figures it rests on
+    std::string why;  ///< one sentence with the figures it rests on
     /// lx at any point that skipping leaves out at most; 0 when simulated or not present. Of bounces
     /// cut off by the settings: what those after the last add at most (the iteration part of error
     /// bars says how much it is, so it is not among the skipped).
     double bound_lux = 0.0;
-    double predicted_ms = 0.0;     ///< cost if simulated; filled from a cost model
-    double measured_ms = -1.0;     ///< filled after the study; negative while unknown
-    int count = 0;                 ///< bounces: how many are needed for the accuracy, a priori
+    double predicted_ms = 0.0;  ///< cost if simulated; filled from a cost model
+    double measured_ms = -1.0;  ///< filled after the study; negative while unknown
+    int count = 0;              ///< bounces: how many are needed for the accuracy, a priori
     bool operator==(const PlannedEffect&) const = default;
 };
 
@@ -48,7 +49,7 @@ struct EffectsPlan {
 /// method, patch width, bounces and accuracy.
 EffectsPlan plan_effects(const Scene& scene, const Settings& settings);
 
-std::string_view name_of(Effect effect);       ///< "direct shadows", ... as every door shows it
-std::string_view name_of(EffectState state);   ///< "simulated", "skipped", "not present"
+std::string_view name_of(Effect effect);      ///< "direct shadows", ... as every door shows it
+std::string_view name_of(EffectState state);  ///< "simulated", "skipped", "not present"
 
 }  // namespace hanei

@@ -10,7 +10,7 @@
 namespace hanei {
 
 /// Candela are the file's figures times multiplier and ballast factor, and until 1991 the ballast-lamp
-/// factor. TILT factors are kept, not applied; a file of them is asked for `beside` this one.
+/// factor. TILT factors are kept, not applied here; a file of them is asked for `beside` this one.
 ///
 /// Needs     decoded text (decoded_text).
 /// Returns   a photometry that means something when the findings hold no fault. Id, name of the file

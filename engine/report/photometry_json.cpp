@@ -1,6 +1,8 @@
 #include "engine/report/photometry_figures.h"
 #include "engine/report/photometry_report.h"
+#include "engine/scene/point_certificate.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace hanei {
@@ -46,7 +48,7 @@ Json tilt_json(const Photometry& photometry) {
             {"geometry", photometry.tilt->geometry},
             {"angle_deg", photometry.tilt->angle_deg},
             {"factor", photometry.tilt->factor},
-            {"applied", false}};
+            {"applied", photometry.tilt->geometry != 2 && !photometry.tilt->factor.empty()}};
 }
 
 Json declared_json(const Photometry& photometry, const PhotometryFigures& figures) {
@@ -88,6 +90,18 @@ Json opening_json(const MeasuredOpeningSize& opening) {
             {"side_heights_m", or_null(opening.side_heights)}};
 }
 
+/// From where on the luminaire is a point, by what that leaves out at most.
+Json point_json(const Photometry& photometry) {
+    const PointCertificate certificate(photometry);
+    Json rows = Json::array();
+    for (const double percent : {10.0, 1.0, 0.1, 0.01}) {
+        const double distance = certificate.distance_for(0.01 * percent);
+        rows.push_back({{"error_percent_of_peak", percent},
+                        {"beyond_m", std::isfinite(distance) ? Json(distance) : Json(nullptr)}});
+    }
+    return rows;
+}
+
 Json keywords_json(const Photometry& photometry) {
     Json keywords = Json::array();
     for (const auto& [key, text] : photometry.keywords) keywords.push_back({key, text});
@@ -107,6 +121,7 @@ Json json_of(const Photometry& photometry, std::string_view file) {
             {"computed", computed_json(figures)},
             {"opening", opening_json(photometry.opening)},
             {"quarter_turns", photometry.quarter_turns},
+            {"point_model", point_json(photometry)},
             {"keywords", keywords_json(photometry)},
             {"warnings", photometry.warnings}};
 }

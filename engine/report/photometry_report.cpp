@@ -1,7 +1,9 @@
 #include "engine/report/photometry_report.h"
 
 #include "engine/report/photometry_figures.h"
+#include "engine/scene/point_certificate.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
@@ -36,7 +38,9 @@ void add_tilt(Lines& lines, const LampTilt& tilt) {
     if (tilt.factor.empty()) {
         lines.add("lamp tilt", "in the file {}, not read", where);
     } else {
-        lines.add("lamp tilt", "{} factors in {}, not applied", tilt.factor.size(), where);
+        lines.add(
+            "lamp tilt", "{} factors in {}, {}", tilt.factor.size(), where,
+            tilt.geometry == 2 ? "none applied: the lamp stays horizontal" : "applied where the luminaire is tilted");
     }
 }
 
@@ -89,6 +93,19 @@ void add_opening(Lines& lines, const MeasuredOpeningSize& opening) {
     const auto& sides = *opening.side_heights;
     lines.add("heights of sides", "{:g} m at C0, {:g} m at C90, {:g} m at C180, {:g} m at C270", sides[0], sides[1],
               sides[2], sides[3]);
+}
+
+std::string point_text(const Photometry& photometry) {
+    const PointCertificate certificate(photometry);
+    if (certificate.opening().radius == 0.0) return "always: the file states no opening";
+    std::string text;
+    for (const double share : {1e-1, 1e-2, 1e-3}) {
+        const double distance = certificate.distance_for(share);
+        text +=
+            fmt::format("{}{} for {:g} %", text.empty() ? "" : ", ",
+                        std::isfinite(distance) ? fmt::format("beyond {:.3g} m", distance) : "nowhere", 100.0 * share);
+    }
+    return text + " of the peak";
 }
 
 }  // namespace
@@ -163,6 +180,7 @@ std::string photometry_text(const Photometry& photometry) {
     add_plane(lines, figures.plane_0);
     add_plane(lines, figures.plane_90);
     add_opening(lines, photometry.opening);
+    lines.add("as a point", "{}", point_text(photometry));
     if (figures.seam_difference)
         lines.add("planes 0 and 360", "differ by {:.2g} % of the peak", 100.0 * *figures.seam_difference);
     if (photometry.quarter_turns != 0) lines.add("turned", "by {} degrees", 90 * photometry.quarter_turns);

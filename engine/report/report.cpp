@@ -118,14 +118,14 @@ std::string summary_text(const Solution& solution) {
 std::string values_csv(const Solution& solution) {
     std::string text =
         "kind,name,x_m,y_m,z_m,nx,ny,nz,total_lx,direct_lx,interreflected_lx,error_lx,error_iteration_lx,"
-        "error_mesh_lx,error_skipped_lx,inside_solid\n";
+        "error_mesh_lx,error_skipped_lx,error_sampling_lx,inside_solid\n";
     const auto add = [&](std::string_view kind, const std::string& name, const PointResult& point) {
         const PointValue& value = point.value;
         text += fmt::format("{},{}", kind, csv_field(name));
         for (const double number :
              {point.position.x, point.position.y, point.position.z, point.normal.x, point.normal.y, point.normal.z,
               value.total().value, value.direct.value, value.interreflected.value, value.error.total(),
-              value.error.iteration, value.error.mesh, value.error.skipped})
+              value.error.iteration, value.error.mesh, value.error.skipped, value.error.sampling})
             text += fmt::format(",{}", number);
         text += value.inside_solid ? ",1\n" : ",0\n";
     };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 
 namespace hanei {
 namespace {
@@ -111,6 +112,15 @@ PhotometricAngles peak_angles(const Photometry& photometry) {
     const auto place = static_cast<std::size_t>(std::distance(photometry.candela.begin(), peak));
     const std::size_t row = photometry.vertical_deg.size();
     return {photometry.horizontal_deg[place / row], photometry.vertical_deg[place % row]};
+}
+
+double lamp_tilt_factor(const Photometry& photometry, double tilt) {
+    if (!photometry.tilt || photometry.tilt->geometry == 2) return 1.0;
+    const LampTilt& lamp = *photometry.tilt;
+    if (lamp.angle_deg.empty() || lamp.angle_deg.size() != lamp.factor.size()) return 1.0;
+    const double angle = std::clamp(tilt * 180.0 / std::numbers::pi, lamp.angle_deg.front(), lamp.angle_deg.back());
+    const Between place = between(lamp.angle_deg, angle);
+    return lamp.factor[place.first] + place.weight * (lamp.factor[place.second] - lamp.factor[place.first]);
 }
 
 Photometry with_lamp_set(Photometry photometry, std::size_t set) {

@@ -53,6 +53,11 @@ LuminousIntensity peak_intensity(const Photometry& photometry);
 /// Where the table is greatest; the first place in the file's order.
 PhotometricAngles peak_angles(const Photometry& photometry);
 
+/// What the lamp's flux becomes when the luminaire is tilted (LM-63 TILT), `tilt` from the way it was
+/// measured, rad: linear between the file's angles, the last one's beyond them. 1 without factors,
+/// and for a lamp that stays horizontal (geometry 2).
+double lamp_tilt_factor(const Photometry& photometry, double tilt);
+
 /// The same luminaire with another of its lamp sets: intensities, lumens and watts are in proportion.
 ///
 /// Needs     `set` one of photometry.lamp_sets; both sets of known flux, else intensities stay.

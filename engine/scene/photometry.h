@@ -57,8 +57,8 @@ struct LampSet {
     bool operator==(const LampSet&) const = default;
 };
 
-/// How the flux of lamps depends on their angle when the luminaire is tilted (LM-63 TILT). Kept, not
-/// applied: intensities are those of the luminaire as it was measured.
+/// How the flux of lamps depends on their angle when the luminaire is tilted (LM-63 TILT). The table
+/// stays that of the luminaire as it was measured; a tilted one shines by lamp_tilt_factor of it.
 struct LampTilt {
     std::string file;  ///< name of a file of its own, not read; empty when the factors are here
     int geometry = 0;  ///< 1 vertical lamp, 2 horizontal and stays so, 3 horizontal and tilts; 0 none stated

@@ -55,6 +55,11 @@ Placement placement(const Furniture& furniture, const Part& part) {
     return {whole.rotation * about_z(part.rotation), whole.point(part.position)};
 }
 
+double tilt_from_vertical(const Luminaire& luminaire) {
+    const Vec3 up = placement(luminaire).rotation[2];
+    return std::atan2(std::sqrt(up.x * up.x + up.y * up.y), up.z);
+}
+
 Placement placement(const Luminaire& luminaire) {
     return {about_z(luminaire.yaw) * about_y(-luminaire.tilt) * about_x(luminaire.roll), luminaire.position};
 }

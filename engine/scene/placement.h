@@ -20,4 +20,7 @@ Placement placement(const Furniture& furniture, const Part& part);
 /// Rz(yaw) Ry(-tilt) Rx(roll): yaw first as the user sees it, tilt towards C0, then roll.
 Placement placement(const Luminaire& luminaire);
 
+/// Angle between a luminaire's own vertical and the room's, rad.
+double tilt_from_vertical(const Luminaire& luminaire);
+
 }  // namespace hanei

@@ -2,7 +2,6 @@
 
 #include "engine/geometry/polygon.h"
 #include "engine/scene/intensity.h"
-#include "engine/scene/opening_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +69,10 @@ OpeningForm form_of(const MeasuredOpeningSize& size) {
         const Polygon flat = flat_opening(size);
         return form_of(std::span(&flat, flat.empty() ? 0 : 1));
     }
-    const OpeningSolid solid = solid_opening(size);
+    return form_of(solid_opening(size));
+}
+
+OpeningForm form_of(const OpeningSolid& solid) {
     const Vec3 areas = solid.areas_along_axes();
     double least = areas.z;
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}})

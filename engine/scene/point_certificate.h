@@ -3,11 +3,16 @@
 
 #include "engine/base/vector.h"
 #include "engine/scene/angular_change.h"
+#include "engine/scene/opening_shape.h"
 #include "engine/scene/photometry.h"
 
 #include <span>
 
 namespace hanei {
+
+/// Share of the peak that direct light lets the point model leave out: an opening nearer than its
+/// certificate allows for this is integrated over.
+inline constexpr double share_left_out_by_points = 1e-4;
 
 /// What of an opening's form counts from afar, about its centre.
 struct OpeningForm {
@@ -22,6 +27,7 @@ struct OpeningForm {
     double depth = 0.0;          ///< m, of a box: sides' areas times their distance from the centre, over the least
 };
 OpeningForm form_of(const MeasuredOpeningSize& size);
+OpeningForm form_of(const OpeningSolid& solid);
 OpeningForm form_of(std::span<const Polygon> flat_pieces);  ///< convex, in one plane
 
 /// A bound, proved from the table, on what the point model leaves out: an opening every element of

@@ -19,7 +19,7 @@ class DirectStage {
 public:
     using Compute = std::function<std::optional<std::vector<double>>(const Emitter&)>;
 
-    /// Sum over all luminaires, one value a receiver, lx.
+    /// Sum over all luminaires of `count` figures each, lx: values of receivers, their errors after them.
     ///
     /// Needs     `receivers`: an object that is the same as long as the receivers are; `occluders`
     ///           may be null (no shadows). `compute` gives the values of one emitter.

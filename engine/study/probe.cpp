@@ -31,9 +31,11 @@ PointValue value_at(const Solution& solution, const Vec3& position, const Vec3& 
     const bool shadows = solution.plan.simulates(Effect::occlusion_direct);
     const bool patch_shadows = solution.plan.simulates(Effect::occlusion_patches);
     ValueParts parts;
-    for (const WeightedEmitter& weighted : emitters_of(*solution.scene))
-        parts.direct +=
-            weighted.share * weighted.emitter.illuminance(receiver, shadows ? solution.occluders.get() : nullptr).value;
+    for (const WeightedEmitter& weighted : emitters_of(*solution.scene)) {
+        const Estimate direct = weighted.emitter.estimate(receiver, shadows ? solution.occluders.get() : nullptr);
+        parts.direct += weighted.share * direct.value;
+        parts.sampling += weighted.share * direct.error;
+    }
     const OccluderSet* occluders = patch_shadows ? solution.occluders.get() : nullptr;
     if (!solution.patch_exitance.empty() && solution.plan.simulates(Effect::interreflection)) {
         gathered_at(

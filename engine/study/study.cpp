@@ -121,9 +121,9 @@ bool Study::Stages::shadows(Run& run) {
 
 std::optional<std::vector<double>> Study::Stages::direct_at_points(Run& run) {
     const LevelInput input = run.fine_input();
-    auto direct = point_direct.sum(*run.scene, points->size(), points, input.occluders, [&](const Emitter& emitter) {
-        return direct_illuminance(emitter, *points, input.occluders.get(), run.work);
-    });
+    auto direct = point_direct.sum(
+        *run.scene, 2 * points->size(), points, input.occluders,
+        [&](const Emitter& emitter) { return direct_estimates(emitter, *points, input.occluders.get(), run.work); });
     run.clock.mark_reused(point_direct.reused());
     return direct;
 }
@@ -153,11 +153,12 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
         }
     }
     CalculationPlaces places{std::move(solution.points), std::move(solution.grids)};
+    const std::span<const double> sampling = std::span(*direct).subspan(points->size());  // after the values
     std::size_t k = 0;
     const double skipped = solution.plan.skipped_bound_lux();
     places.for_each([&](PointResult& point) {
-        point.value = value_from(
-            {(*direct)[k], interreflected[k], iteration[k], coarse_values[k], solution.typical_mesh_error, skipped});
+        point.value = value_from({(*direct)[k], interreflected[k], iteration[k], coarse_values[k],
+                                  solution.typical_mesh_error, skipped, sampling[k]});
         if (is_covered(*solution.occluders, point.position, point.normal)) {
             point.value = PointValue{};
             point.value.inside_solid = true;

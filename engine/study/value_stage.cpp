@@ -47,6 +47,7 @@ PointValue value_from(const ValueParts& parts) {
     if (parts.coarse >= 0.0)
         value.error.mesh = std::max(std::abs(parts.interreflected - parts.coarse), 0.5 * parts.typical_mesh_error);
     value.error.skipped = parts.skipped;
+    value.error.sampling = parts.sampling;
     return value;
 }
 

@@ -38,6 +38,7 @@ struct ValueParts {
     double coarse = -1.0;    ///< the coarser solution's interreflected value; negative: not computed
     double typical_mesh_error = 0.0;
     double skipped = 0.0;
+    double sampling = 0.0;  ///< by how much the direct light may be off
 };
 /// Mesh part: the difference of the two resolutions, and at least half its root mean square over
 /// all points, so that two curves that happen to cross do not claim to be exact.

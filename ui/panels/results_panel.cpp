@@ -95,7 +95,7 @@ std::optional<ObjectId> results_table(const Solution& solution, ObjectId selecte
         {"Max  lx", 1.0F, "Greatest of the grid", true},
         {"U0", 0.7F, "Uniformity: least over mean (EN 12464-1)", true},
         {"Direct  lx", 1.0F, "Straight from luminaires", true},
-        {"Error  ± lx", 1.0F, "How wrong a value may be at most: iteration, mesh and skipped effects", true},
+        {"Error  ± lx", 1.0F, "How wrong a value may be: iteration, mesh, skipped effects and sampling", true},
     };
     if (!ImGui::BeginTable("results", 7, table_look)) return clicked;
     header(columns);

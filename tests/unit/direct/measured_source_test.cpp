@@ -127,6 +127,23 @@ TEST(MeasuredSource, light_that_goes_down_only_leaves_what_is_above_dark) {
     EXPECT_GT(emitter.illuminance({{0.9, 0, 2.2}, {-1, 0, 0}, {}}, nullptr).value, 10.0);
 }
 
+TEST(MeasuredSource, a_tilted_lamp_shines_by_the_factor_of_its_file) {
+    Photometry photometry = table(cosine, 5);
+    photometry.tilt = LampTilt{"", 1, {0, 45, 90}, {1.0, 0.9, 0.7}};
+    Luminaire luminaire = measured(PointOpening{}, AsMeasured{});
+    luminaire.tilt = 67.5 * pi / 180;
+    luminaire.yaw = 1.0;
+    const double flux = luminous_flux(photometry).value;
+    EXPECT_NEAR(Emitter(with(photometry), luminaire).flux().value, 0.8 * flux, 1e-9 * flux);
+    luminaire.roll = pi / 2;  // on its side: 90 degrees from the vertical whatever the tilt
+    EXPECT_NEAR(Emitter(with(photometry), luminaire).flux().value, 0.7 * flux, 1e-9 * flux);
+    photometry.tilt->geometry = 2;
+    EXPECT_NEAR(Emitter(with(photometry), luminaire).flux().value, flux, 1e-9 * flux);
+    photometry.tilt->geometry = 3;
+    luminaire.tilt = luminaire.roll = 0;
+    EXPECT_NEAR(Emitter(with(photometry), luminaire).flux().value, flux, 1e-9 * flux);
+}
+
 TEST(MeasuredOpening, shapes_of_a_file_keep_their_area) {
     const auto area = [](OpeningShape shape, double x, double y, double z) {
         const Polygon outline = flat_opening({shape, x, y, z});

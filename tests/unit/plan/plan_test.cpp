@@ -39,10 +39,11 @@ TEST(Plan, the_rows_come_in_the_order_of_the_effects_and_give_reasons) {
     Scene scene = sample::computer_room();
     add_panel(scene, {3.0, 2.0, 2.8});
     const EffectsPlan plan = plan_effects(scene, {});
-    ASSERT_EQ(plan.effects.size(), 5U);
-    for (std::size_t k = 0; k < 5; ++k) {
+    ASSERT_EQ(plan.effects.size(), 6U);
+    for (std::size_t k = 0; k < 6; ++k) {
         EXPECT_EQ(static_cast<std::size_t>(plan.effects[k].effect), k);
         EXPECT_GT(plan.effects[k].why.size(), 20U);
+        if (plan.effects[k].effect == Effect::opening_size) continue;  // no luminaire file here
         EXPECT_EQ(plan.effects[k].state, EffectState::simulated);
         EXPECT_GT(plan.effects[k].predicted_ms, 0.0);
     }
@@ -134,6 +135,32 @@ TEST(Plan, every_name_is_spoken) {
     for (int k = 0; k < 3; ++k) EXPECT_FALSE(name_of(static_cast<EffectState>(k)).empty());
     EXPECT_EQ(name_of(Method::paper), "paper");
     EXPECT_EQ(name_of(Method::patch), "patch");
+}
+
+TEST(Plan, measured_openings_say_from_where_on_they_are_points) {
+    Scene scene = sample::box_room(6.0, 4.0, 2.8);
+    EXPECT_EQ(plan_effects(scene, {}).row(Effect::opening_size).state, EffectState::not_present);
+    Photometry spot;
+    spot.id = scene.new_id();
+    spot.name = "spot";
+    spot.symmetry = PhotometricSymmetry::rotational;
+    spot.horizontal_deg = {0};
+    spot.vertical_deg = {0, 30, 60, 90};
+    spot.candela = {500, 400, 100, 0};
+    spot.opening = {OpeningShape::circle, 0.1, 0.1, 0};
+    scene.photometries = {spot};
+    Luminaire luminaire;
+    luminaire.id = scene.new_id();
+    luminaire.position = {3.0, 2.0, 2.7};
+    luminaire.opening = MeasuredOpening{};
+    luminaire.distribution = Measured{spot.id};
+    luminaire.output = AsMeasured{};
+    scene.luminaires = {luminaire};
+    const PlannedEffect row = plan_effects(scene, {}).row(Effect::opening_size);
+    EXPECT_EQ(row.state, EffectState::simulated);
+    EXPECT_NE(row.why.find("spot beyond"), std::string::npos) << row.why;
+    scene.luminaires[0].opening = PointOpening{};
+    EXPECT_EQ(plan_effects(scene, {}).row(Effect::opening_size).state, EffectState::not_present);
 }
 
 }  // namespace

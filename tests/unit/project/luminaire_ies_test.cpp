@@ -88,7 +88,7 @@ TEST(IesFile, numbers_may_wrap_anywhere) {
     EXPECT_EQ(read(parts).photometry->candela.size(), 3U);
 }
 
-TEST(IesFile, tilt_factors_are_kept_and_not_applied) {
+TEST(IesFile, tilt_factors_are_kept_beside_the_figures) {
     Parts parts;
     parts.tilt = "TILT=INCLUDE\n1\n2\n0 90\n1 0.9\n";
     const LuminaireFileRead result = read(parts);

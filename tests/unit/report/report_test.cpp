@@ -43,7 +43,7 @@ TEST(Report, a_field_with_a_comma_is_quoted) {
 
 TEST(Report, csv_holds_every_value_with_its_error_bar) {
     const std::string csv = values_csv(one_point_solution());
-    EXPECT_NE(csv.find("point,\"desk, left\",1,2,0.75,0,0,1,412.75,300.25,112.5,2.75,0.25,2.5,0,0\n"),
+    EXPECT_NE(csv.find("point,\"desk, left\",1,2,0.75,0,0,1,412.75,300.25,112.5,2.75,0.25,2.5,0,0,0\n"),
               std::string::npos)
         << csv;
 }
