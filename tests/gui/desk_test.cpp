@@ -167,6 +167,41 @@ TEST(TheDesk, exports_an_annotated_and_a_plain_picture) {
     }
 }
 
+TEST(TheDesk, paints_an_exact_picture_while_the_room_is_edited_and_saves_it) {
+    const auto file = scratch("exact.png");
+    std::filesystem::remove(file);
+    Driver driver(setup());
+    ASSERT_TRUE(driver.wait_settled());
+    EXPECT_DONE(driver.click("menu.File"));
+    EXPECT_DONE(driver.click("file.render_exact"));
+    EXPECT_EQ(state(driver, "exact"), "painting");
+    EXPECT_DONE(driver.click("tree.Side table"));
+    EXPECT_DONE(driver.press("Up"));
+    EXPECT_EQ(state(driver, "undo depth"), "1");
+    ASSERT_TRUE(driver.wait_until([&] { return state(driver, "exact") == "shown"; }));
+    driver.frames(3);
+    EXPECT_DONE(driver.click("exact.save"));
+    driver.type("exact.png");
+    EXPECT_DONE(driver.press("Enter"));
+    driver.frames(2);
+    EXPECT_TRUE(std::filesystem::exists(file)) << state(driver, "message");
+    EXPECT_DONE(driver.click("exact.close"));
+    EXPECT_EQ(state(driver, "exact"), "none");
+}
+
+TEST(TheDesk, stops_an_exact_picture_by_its_button) {
+    Driver driver(setup());
+    ASSERT_TRUE(driver.wait_settled());
+    EXPECT_DONE(driver.press("Ctrl+R"));
+    driver.frames(2);
+    EXPECT_EQ(state(driver, "exact"), "painting");
+    EXPECT_DONE(driver.click("exact.cancel"));
+    EXPECT_EQ(state(driver, "exact"), "none");
+    driver.frames(2);
+    EXPECT_EQ(driver.workbench().widgets().find("exact.picture"), nullptr);
+    EXPECT_EQ(driver.workbench().widgets().find("exact.progress"), nullptr);
+}
+
 TEST(TheDesk, saves_and_opens_what_was_changed) {
     const auto file = scratch("saved.hanei");
     std::filesystem::remove(file);

@@ -25,6 +25,9 @@ constexpr std::array table{
             control('E'),
             {},
             true},
+    Command{render_exact, "file.render_exact", "File", "Render exact picture...",
+            "Paint the view with direct light exact at every pixel, in the background, to look at and to save",
+            control('R')},
     Command{quit, "file.quit", "File", "Quit", "Close the window", control('Q'), {}, true},
 
     Command{undo, "edit.undo", "Edit", "Undo", "Take back the last change", control('Z')},

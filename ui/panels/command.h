@@ -13,6 +13,7 @@ enum class CommandId {
     save,
     save_as,
     export_picture,
+    render_exact,
     quit,
     undo,
     redo,

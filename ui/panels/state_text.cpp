@@ -55,6 +55,7 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     const Scene& scene = *document.shown();
     std::map<std::string, std::string> state;
     state["frame"] = std::to_string(workbench.frames());
+    state["exact"] = workbench.exact().busy() ? "painting" : workbench.exact().shown() != nullptr ? "shown" : "none";
     state["settled"] = truth(study.settled() && !document.in_gesture());
     state["fresh"] = truth(study.fresh());
     state["busy"] = truth(study.busy());

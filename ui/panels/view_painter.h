@@ -16,6 +16,11 @@ struct ViewRequest {
     Highlights highlights;
     PixelSize size;
     bool moving = false;  ///< the user is dragging: fast before smooth
+
+    /// A finished picture in place of all the above, in a slot of its own.
+    static constexpr int picture_slot = 4;
+    const Image* picture = nullptr;
+    long picture_number = 0;  ///< another picture has another number
 };
 
 /// Returns a texture as ImGui knows it, valid until the next call for the same slot; null paints nothing.

@@ -10,7 +10,11 @@ namespace hanei {
 
 Workbench::Workbench(ProjectContent content, std::filesystem::path file, ProjectDoor door, std::function<void()> wake,
                      Options how)
-    : how_(how), door_(std::move(door)), document_(std::move(content), std::move(file)), study_(std::move(wake)) {
+    : how_(how),
+      door_(std::move(door)),
+      document_(std::move(content), std::move(file)),
+      study_(wake),
+      exact_(std::move(wake)) {
     viewport_.right_margin = legend_margin();
     viewport_.state.options.grids = false;  // dots over every surface; shown with a chosen grid, or by N
 }
@@ -84,6 +88,8 @@ void Workbench::draw(const ViewPainter& paint) {
     settle();
     follow_study();
     status_line({0.0F, all.bottom, screen.x, screen.y});
+    exact_.draw(
+        paint, [this] { save_exact(); }, widgets_);
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
 }

@@ -5,6 +5,7 @@
 #include "ui/panels/dialogs.h"
 #include "ui/panels/document.h"
 #include "ui/panels/edit.h"
+#include "ui/panels/exact_panel.h"
 #include "ui/panels/file_browser.h"
 #include "ui/panels/form.h"
 #include "ui/panels/live_study.h"
@@ -44,6 +45,7 @@ public:
     const LiveStudy& study() const { return study_; }
     const Viewport& viewport() const { return viewport_; }
     const WidgetRegistry& widgets() const { return widgets_; }
+    const ExactPanel& exact() const { return exact_; }
     const Dialogs& dialogs() const { return dialogs_; }
     const FileBrowser& browser() const { return browser_; }
     const PhotometryPanel& photometry() const { return photometry_; }
@@ -90,6 +92,8 @@ private:
     void finish_arrival();
     double raster() const { return snaps_ ? 0.1 : 0.0; }  ///< m
     void ask_for_picture();
+    void save_exact();
+    PictureRequest picture_request() const;    ///< of the view as it is, annotated
     void guarded(std::function<void()> then);  ///< asks about unsaved changes first
     std::filesystem::path folder() const;
 
@@ -97,6 +101,7 @@ private:
     ProjectDoor door_;
     Document document_;
     LiveStudy study_;
+    ExactPanel exact_;
     Viewport viewport_;
     WidgetRegistry widgets_;
     Form form_{widgets_};

@@ -43,6 +43,9 @@ bool Workbench::can(CommandId id) const {
         case CommandId::fit_range:
         case CommandId::export_picture:
             return study_.solution() != nullptr;
+        case CommandId::render_exact:
+            return study_.fresh() && !viewport_.state.options.shadow_classes &&
+                   has_part(*study_.solution(), viewport_.state.options.part);
         default:
             return true;
     }
@@ -76,6 +79,8 @@ void Workbench::carry_out(CommandId id) {
             return save(true);
         case CommandId::export_picture:
             return ask_for_picture();
+        case CommandId::render_exact:
+            return exact_.start(study_.solution(), picture_request());
         case CommandId::quit:
             return ask_to_quit();
         case CommandId::undo:

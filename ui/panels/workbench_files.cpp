@@ -59,14 +59,35 @@ void Workbench::ask_for_picture() {
                   [this](const std::filesystem::path& file) { picture_ = file; });
 }
 
+PictureRequest Workbench::picture_request() const {
+    const PixelSize size{1600, static_cast<int>(1600.0 / viewport_.aspect())};
+    PictureRequest request{viewport_.state.camera, viewport_.state.options, size, true, {}};
+    request.options.shadows_of = selected_;
+    return request;
+}
+
+void Workbench::save_exact() {
+    const auto picture = std::make_shared<const Image>(*exact_.shown());
+    browser_.open({"Save the exact picture", "Save", {".png"}, true, folder(), document_.title() + " exact.png"},
+                  [this, picture](const std::filesystem::path& file) {
+                      try {
+                          write_png(*picture, file);
+                          message_ = "Saved " + file.filename().string();
+                      } catch (const std::runtime_error& fault) {
+                          dialogs_.show_findings("The picture was not written", {{Severity::error, {}, fault.what()}});
+                      }
+                  });
+}
+
 void Workbench::after_frame() {
+    exact_.after_frame();
+    if (const std::string fault = exact_.take_failure(); !fault.empty())
+        dialogs_.show_findings("The exact picture was not finished", {{Severity::error, {}, fault}});
     if (picture_.empty()) return;
     const std::filesystem::path file = std::exchange(picture_, {});
     std::filesystem::path plain = file;
     plain.replace_filename(file.stem().string() + "-plain.png");
-    const PixelSize size{1600, static_cast<int>(1600.0 / viewport_.aspect())};
-    PictureRequest request{viewport_.state.camera, viewport_.state.options, size, true, {}};
-    request.options.shadows_of = selected_;
+    PictureRequest request = picture_request();
     try {
         const bool four = viewport_.state.four_up;
         const auto picture = [&] {

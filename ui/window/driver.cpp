@@ -53,11 +53,15 @@ void Driver::run_queue() {
 }
 
 bool Driver::wait_settled(double seconds) {
+    return wait_until([this] { return workbench().study().settled() && !workbench().document().in_gesture(); },
+                      seconds);
+}
+
+bool Driver::wait_until(const std::function<bool()>& so, double seconds) {
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-    const auto settled = [&] { return workbench().study().settled() && !workbench().document().in_gesture(); };
     frames(1);
-    while (!settled()) {
+    while (!so()) {
         std::unique_lock lock(mutex_);
         wakes_.wait_for(lock, std::chrono::milliseconds(20), [&] { return woken_; });
         woken_ = false;

@@ -6,6 +6,7 @@
 #include "ui/window/desk.h"
 
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 
 namespace hanei {
@@ -31,6 +32,8 @@ public:
 
     /// Frames until the shown scene's complete answer is on the screen. False after `seconds`.
     bool wait_settled(double seconds = 120.0);
+    /// Plays frames until it is so; false when it is not in time.
+    bool wait_until(const std::function<bool()>& so, double seconds = 120.0);
 
     // Each returns what went wrong, or nothing.
     using Fault = std::string;

@@ -109,9 +109,13 @@ private:
     }
 
     Fault wait(const std::string& what) {
+        if (what == "exact")
+            return driver_.wait_until([&] { return driver_.workbench().exact().shown() != nullptr; })
+                       ? Fault{}
+                       : "no exact picture within two minutes";
         if (what == "converged") return driver_.wait_settled() ? Fault{} : "no complete answer within two minutes";
         const auto count = figure_of(what);
-        if (!count) return "wait wants \"converged\" or a number of frames";
+        if (!count) return "wait wants \"converged\", \"exact\" or a number of frames";
         driver_.frames(static_cast<int>(*count));
         return {};
     }

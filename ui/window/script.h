@@ -10,7 +10,7 @@
 ///     wheel NOTCHES
 ///     key CHORD                     Ctrl+Z, Delete, F1
 ///     type TEXT
-///     wait converged | wait FRAMES
+///     wait converged | wait exact | wait FRAMES
 ///     shot FILE.png                 the whole window
 ///     print state | print widgets | print NAME
 ///     expect NAME VALUE [within TOLERANCE]

@@ -67,9 +67,25 @@ struct ViewTextures::Slot {
 };
 
 ViewTextures::ViewTextures() = default;
-ViewTextures::~ViewTextures() = default;
+ViewTextures::~ViewTextures() { glDeleteTextures(1, &picture_); }
+
+void* ViewTextures::finished(const Image& picture, long number) {
+    if (picture_ == 0) glGenTextures(1, &picture_);
+    if (picture_number_ != number) {
+        picture_number_ = number;
+        glBindTexture(GL_TEXTURE_2D, picture_);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     picture.rgba.data());
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        glBindTexture(GL_TEXTURE_2D, 0);
+        ++painted_;
+    }
+    return reinterpret_cast<void*>(static_cast<std::uintptr_t>(picture_));
+}
 
 void* ViewTextures::paint(const ViewRequest& request) {
+    if (request.picture != nullptr) return finished(*request.picture, request.picture_number);
     std::unique_ptr<Slot>& slot = slots_[static_cast<std::size_t>(std::clamp(request.slot, 0, 3))];
     if (!slot) slot = std::make_unique<Slot>();
     const int samples = request.moving ? 0 : samples_at_rest;

@@ -21,10 +21,13 @@ public:
 
 private:
     struct Slot;
+    void* finished(const Image& picture, long number);
     Renderer renderer_;
     SceneSnapshot scene_;
     SolutionSnapshot solution_;
     std::array<std::unique_ptr<Slot>, 4> slots_;
+    unsigned picture_ = 0;  ///< texture of a finished picture
+    long picture_number_ = -1;
     long painted_ = 0;
 };
 
