@@ -184,10 +184,6 @@ std::string photometry_text(const Photometry& photometry) {
     if (figures.seam_difference)
         lines.add("planes 0 and 360", "differ by {:.2g} % of the peak", 100.0 * *figures.seam_difference);
     if (photometry.quarter_turns != 0) lines.add("turned", "by {} degrees", 90 * photometry.quarter_turns);
-    lines.add("as a point", "{}",
-              figures.point_distance ? fmt::format("from {:.2f} m on, within {:g} % of the peak",
-                                                   *figures.point_distance, 100.0 * point_error)
-                                     : "at no distance");
     for (const std::string& difference : figures.differences) lines.add("note", "{}", difference);
     for (const std::string& warning : photometry.warnings) lines.add("warning", "{}", warning);
     return lines.text();
