@@ -208,7 +208,7 @@ bool OccluderSet::blocks(const Vec3& from, const Vec3& to, std::span<const BodyI
 }
 
 /// A sight line that touches bodies runs in the contact between them when it is blocked to whichever
-/// side it is moved.
+/// side it is moved. Its ends are left out: there it may stand on a body that it only leaves.
 bool OccluderSet::closes_contact(std::span<const BodyIndex> touched, const Vec3& from, const Vec3& to) const {
     const Vec3 along = to - from;
     Vec3 across{0.0};
@@ -222,11 +222,13 @@ bool OccluderSet::closes_contact(std::span<const BodyIndex> touched, const Vec3&
     const Vec3 beside = glm::normalize(glm::cross(across, along));
     // Aslant, so that where four bodies meet at an edge every move ends in one of them.
     const double far_across = 0.8 * 8.0 * same_place_, far_beside = 0.6 * 8.0 * same_place_;
+    const double end = std::min(0.25, 64.0 * same_place_ / glm::length(along));
+    const Vec3 inner = (1.0 - 2.0 * end) * along;
     for (const double u : {-far_across, far_across}) {
         for (const double v : {-far_beside, far_beside}) {
-            const Vec3 moved = from + u * across + v * beside;
+            const Vec3 moved = from + end * along + u * across + v * beside;
             const bool blocked = std::ranges::any_of(touched, [&](BodyIndex body) {
-                return body_blocks(shapes_[body], moved, along, same_place_, same_place_);
+                return body_blocks(shapes_[body], moved, inner, same_place_, same_place_);
             });
             if (!blocked) return false;
         }

@@ -90,7 +90,8 @@ HiddenInterval hidden_interval(const OccluderSet& occluders, BodyIndex body, con
         const double slack = occluders.same_place() *
                              (std::abs(plane.outward.x) + std::abs(plane.outward.y) + std::abs(plane.outward.z));
         if (at_start >= -slack && at_end >= -slack) {
-            if (at_start > slack || at_end > slack) return {};
+            const bool before_body = plane.reach != 0.0;  // the line lies on a face turned to the eye
+            if (before_body || at_start > slack || at_end > slack) return {};
             hidden.touches = true;
             hidden.across = plane.outward;
             continue;

@@ -1,5 +1,6 @@
 #include "engine/geometry/occluders.h"
 
+#include "engine/geometry/visible_part.h"
 #include "tests/unit/geometry/shapes.h"
 
 #include <algorithm>
@@ -133,6 +134,22 @@ TEST(Occluders, no_light_passes_between_bodies_that_touch) {
     EXPECT_FALSE(set.blocks({0, 0, 1}, {0, 0.3, 2}));                           // starts on top of it
     EXPECT_FALSE(set.blocks({0, -2, 0.5}, {0, -1, 0.5}));                       // ends where it begins
     EXPECT_FALSE(OccluderSet({left, left}).blocks({0, -2, 0.5}, {0, 2, 0.5}));  // one body twice has a free side
+}
+
+TEST(Occluders, light_goes_from_leg_to_leg_along_the_underside_of_a_table) {
+    const OccluderSet table({box_body({0, 0, 0.7}, {2, 1, 0.72}), box_body({0, 0, 0}, {0.05, 1, 0.7}),
+                             box_body({1.95, 0, 0}, {2, 1, 0.7})});
+    EXPECT_FALSE(table.blocks({0.05, 0.1, 0.7}, {1.95, 0.9, 0.7}));
+    EXPECT_TRUE(table.blocks({0.025, 0.1, 0.7}, {1.95, 0.9, 0.7}));  // begins between leg and top
+}
+
+TEST(Occluders, a_row_on_a_face_is_not_hidden_by_its_own_body_in_the_plane_of_the_floor) {
+    const OccluderSet set({box_body({2, 0, 0}, {3, 2, 1}), box_body({1, 0.5, 0}, {1.2, 1, 1})});
+    const std::vector<BodyIndex> both = {0, 1};
+    const auto visible = visible_intervals({2, 0, 0}, {2, 2, 0}, {0, 1, 0}, set, both);
+    ASSERT_EQ(visible.size(), 1U);
+    EXPECT_EQ(visible[0].first, 0.0);
+    EXPECT_EQ(visible[0].second, 1.0);
 }
 
 TEST(Occluders, no_light_passes_where_four_boxes_meet_or_through_the_seam_of_two_sheets) {
