@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 
 namespace hanei {
 
 namespace {
 
-constexpr double noticeable_share = 0.08;         // of the darkest corner: a few just noticeable differences
-constexpr double noticeable_of_brightest = 0.02;  // dark corners need no finer cells than a colour step
+constexpr double noticeable_share = 0.08;          // of the darkest corner: a few just noticeable differences
+constexpr double noticeable_of_brightest = 0.005;  // in the dark: 2 % is a plain grey on a black shadow
 
 /// A cell in the unit square of its patch piece.
 struct Cell {
@@ -19,6 +19,7 @@ struct Cell {
     std::array<VertexId, 4> among{};
     std::array<Vec3, 4> corner{};
     double u0 = 0.0, v0 = 0.0, u1 = 1.0, v1 = 1.0;
+    int halvings = 0;
 };
 
 template <class T>
@@ -39,32 +40,46 @@ private:
     struct PlaceKey {
         std::uint32_t face;
         std::array<long long, 3> place;
-        auto operator<=>(const PlaceKey&) const = default;
+        bool operator==(const PlaceKey&) const = default;
+    };
+    struct PlaceHash {
+        std::size_t operator()(const PlaceKey& key) const {
+            std::uint64_t mixed = key.face;
+            for (const long long part : key.place)
+                mixed = (mixed ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15U;
+            return mixed ^ (mixed >> 32U);
+        }
     };
 
+    PlaceKey key_of(const Cell& cell, const Vec3& place) const;
     std::uint32_t vertex(const Cell& cell, double u, double v);
     void set_corners(Cell& cell);
     void add_pieces(std::uint32_t patch_number);
     bool light_new_vertices(const Work& work);
+    bool is_cut(const Cell& cell) const;
+    bool is_noticeable(float difference, float darkest) const;
     bool bends(const Cell& cell) const;
+    bool misses_a_neighbour(const Cell& cell) const;
     void split(const Cell& cell, std::vector<Cell>& finer);
 
     const DisplayInput& input_;
     DirectDisplay made_;
     std::vector<Receiver> receivers_;
-    std::map<PlaceKey, std::uint32_t> known_;
+    std::unordered_map<PlaceKey, std::uint32_t, PlaceHash> known_;
     std::size_t lit_ = 0;
     std::vector<Cell> cells_;
     float brightest_ = 0.0F;
     double grain_ = 1e-6;
 };
 
+DisplayBuilder::PlaceKey DisplayBuilder::key_of(const Cell& cell, const Vec3& place) const {
+    return {cell.drawn.face,
+            {std::llround(place.x / grain_), std::llround(place.y / grain_), std::llround(place.z / grain_)}};
+}
+
 std::uint32_t DisplayBuilder::vertex(const Cell& cell, double u, double v) {
     const Vec3 place = bilinear(cell.corner, u, v);
-    const PlaceKey key{
-        cell.drawn.face,
-        {std::llround(place.x / grain_), std::llround(place.y / grain_), std::llround(place.z / grain_)}};
-    const auto [entry, is_new] = known_.try_emplace(key, static_cast<std::uint32_t>(receivers_.size()));
+    const auto [entry, is_new] = known_.try_emplace(key_of(cell, place), static_cast<std::uint32_t>(receivers_.size()));
     if (is_new) {
         made_.display.vertices.push_back({.position = place});
         made_.sources.push_back({cell.among, u, v});
@@ -119,11 +134,37 @@ bool DisplayBuilder::light_new_vertices(const Work& work) {
     return true;
 }
 
+bool DisplayBuilder::is_noticeable(float difference, float darkest) const {
+    return difference > std::max(noticeable_share * darkest, noticeable_of_brightest * brightest_);
+}
+
 bool DisplayBuilder::bends(const Cell& cell) const {
     std::array<float, 4> corner{};
     for (std::size_t c = 0; c < 4; ++c) corner[c] = made_.display.vertices[cell.drawn.corner[c]].direct;
     const auto [low, high] = std::minmax_element(corner.begin(), corner.end());
-    return *high - *low > std::max(noticeable_share * *low, noticeable_of_brightest * brightest_);
+    return is_noticeable(*high - *low, *low);
+}
+
+/// A finer neighbour found light or shadow in the middle of an edge that the ends of the edge know nothing of.
+bool DisplayBuilder::misses_a_neighbour(const Cell& cell) const {
+    const double um = 0.5 * (cell.u0 + cell.u1), vm = 0.5 * (cell.v0 + cell.v1);
+    const std::array<std::array<double, 2>, 4> middle{{{um, cell.v0}, {cell.u1, vm}, {um, cell.v1}, {cell.u0, vm}}};
+    for (std::size_t edge = 0; edge < 4; ++edge) {
+        const auto found = known_.find(key_of(cell, bilinear(cell.corner, middle[edge][0], middle[edge][1])));
+        if (found == known_.end()) continue;
+        const float here = made_.display.vertices[found->second].direct;
+        const float from = made_.display.vertices[cell.drawn.corner[edge]].direct;
+        const float to = made_.display.vertices[cell.drawn.corner[(edge + 1) % 4]].direct;
+        const float drawn = 0.5F * (from + to);
+        if (is_noticeable(std::abs(here - drawn), std::min(here, drawn))) return true;
+    }
+    return false;
+}
+
+/// Every cell once, whatever its corners say: a shadow inside a patch may leave them all lit.
+bool DisplayBuilder::is_cut(const Cell& cell) const {
+    if (cell.halvings >= input_.finest || receivers_.size() >= input_.budget) return false;
+    return cell.halvings == 0 || bends(cell) || misses_a_neighbour(cell);
 }
 
 void DisplayBuilder::split(const Cell& cell, std::vector<Cell>& finer) {
@@ -135,6 +176,7 @@ void DisplayBuilder::split(const Cell& cell, std::vector<Cell>& finer) {
     for (const auto& [u0, v0, u1, v1] : quarters) {
         Cell quarter = cell;
         quarter.u0 = u0, quarter.v0 = v0, quarter.u1 = u1, quarter.v1 = v1;
+        ++quarter.halvings;
         set_corners(quarter);
         finer.push_back(quarter);
     }
@@ -150,22 +192,21 @@ bool DisplayBuilder::build(const Work& work) {
 
     for (std::uint32_t patch = 0; patch < input_.mesh->patches.size(); ++patch) add_pieces(patch);
     if (!light_new_vertices(work)) return false;
-    std::vector<DisplayCell>& done = made_.display.cells;
-    for (int level = 0; level < input_.finest; ++level) {
-        std::vector<Cell> finer;
+    for (bool any = true; any;) {
+        any = false;
+        std::vector<Cell> next;
         for (const Cell& cell : cells_) {
-            // Cut once whatever the corners say: a shadow inside a patch may leave them all lit.
-            const bool cut = (level == 0 || bends(cell)) && receivers_.size() < input_.budget;
-            if (cut) {
-                split(cell, finer);
-            } else {
-                done.push_back(cell.drawn);
+            if (!is_cut(cell)) {
+                next.push_back(cell);
+                continue;
             }
+            split(cell, next);
+            any = true;
         }
-        cells_ = std::move(finer);
+        cells_ = std::move(next);
         if (!light_new_vertices(work)) return false;
     }
-    for (const Cell& cell : cells_) done.push_back(cell.drawn);
+    for (const Cell& cell : cells_) made_.display.cells.push_back(cell.drawn);
     return true;
 }
 

@@ -34,6 +34,7 @@ void LiveStudy::take() {
     }
     SolutionSnapshot taken = job_.take();
     if (!taken) return;
+    if (taken->complete) answer_ = taken;
     // A result on the way has no display of its own until direct light is known.
     if (!taken->display && solution_ && solution_->display) return;
     solution_ = std::move(taken);

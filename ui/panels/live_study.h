@@ -30,6 +30,7 @@ public:
     void follow(const Wish& wish);
 
     const SolutionSnapshot& solution() const { return solution_; }  ///< null before the first
+    const SolutionSnapshot& answer() const { return answer_; }      ///< the last complete one; null before the first
     bool fresh() const;  ///< the solution is complete and answers the present wish
     bool busy() const { return pending_ || job_.busy(); }
     bool settled() const { return fresh() || (!pending_ && fault() != nullptr); }  ///< nothing more will come
@@ -51,7 +52,7 @@ private:
     bool pending_ = false;  ///< the wish was not handed to the job yet
     bool started_ = false;
     Clock::time_point started_at_, wished_at_;
-    SolutionSnapshot solution_;
+    SolutionSnapshot solution_, answer_;
     Diagnostics findings_;
     SceneSnapshot final_scene_;  ///< last one started outside a gesture: its answer has error bars
     double answer_seconds_ = -1.0;

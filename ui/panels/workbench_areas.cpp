@@ -147,12 +147,14 @@ void Workbench::right(const ScreenRect& area) {
 void Workbench::bottom(const ScreenRect& area) {
     begin_panel("##bottom", area);
     movable_edge(Edge::top, area, bottom_height_, 90.0F, 460.0F);
-    const SolutionSnapshot solution = study_.solution();
+    const SolutionSnapshot solution = study_.answer();  // results on the way have no values yet
     const bool measured = !how_.repeatable;
     if (ImGui::BeginTabBar("tables")) {
         if (begin_tab("Results", widgets_)) {
             const bool any = solution && (!solution->grids.empty() || !solution->points.empty());
-            if (!any)
+            if (!solution)
+                ImGui::TextDisabled("The first values are being computed.");
+            else if (!any)
                 ImGui::TextDisabled("No calculation grid or point yet: Add > Calculation grid.");
             else if (const auto clicked = results_table(*solution, selected_, widgets_))
                 selected_ = *clicked;
