@@ -1,5 +1,6 @@
 #include "engine/project/gldf_product.h"
 
+#include "engine/project/luminaire_text.h"
 #include "engine/project/number_text.h"
 #include "engine/project/xml_elements.h"
 
@@ -12,7 +13,9 @@
 namespace hanei {
 namespace {
 
-std::string attribute_of(const pugi::xml_node& node, const char* name) { return node.attribute(name).value(); }
+std::string attribute_of(const pugi::xml_node& node, const char* name) {
+    return utf8_text(node.attribute(name).value());
+}
 
 std::string child_text(const pugi::xml_node& node, const char* name) { return xml_text(node.child(name)); }
 
