@@ -151,7 +151,7 @@ bool DisplayBuilder::misses_a_neighbour(const Cell& cell) const {
     const std::array<std::array<double, 2>, 4> middle{{{um, cell.v0}, {cell.u1, vm}, {um, cell.v1}, {cell.u0, vm}}};
     for (std::size_t edge = 0; edge < 4; ++edge) {
         const auto found = known_.find(key_of(cell, bilinear(cell.corner, middle[edge][0], middle[edge][1])));
-        if (found == known_.end()) continue;
+        if (found == known_.end() || found->second >= lit_) continue;  // made in this round: not lit yet
         const float here = made_.display.vertices[found->second].direct;
         const float from = made_.display.vertices[cell.drawn.corner[edge]].direct;
         const float to = made_.display.vertices[cell.drawn.corner[(edge + 1) % 4]].direct;
