@@ -20,19 +20,20 @@ struct BalanceInput {
 };
 
 struct BalanceLimits {
-    int bounces = 1000;       ///< interreflections at most
-    double accuracy = 1e-3;   ///< of the greatest total illuminance: stop when the bracket is closer
+    int bounces = 1000;      ///< interreflections at most
+    double accuracy = 1e-3;  ///< of the greatest total illuminance: stop when the bracket is closer
 };
 
 /// One state of the series. `interreflected` is the middle of the bracket once there is one (the
 /// partial sum before, and always for a fixed number of bounces).
 struct Balance {
-    std::vector<double> interreflected;  ///< lx, one an unknown: light that arrives from surfaces
-    std::vector<double> exitance;        ///< lm/m2, own + reflected
+    std::vector<double> interreflected;       ///< lx, one an unknown: light that arrives from surfaces
+    std::vector<double> exitance;             ///< lm/m2, own + reflected
     std::vector<double> exitance_half_width;  ///< lm/m2: the converged exitance lies within this of it; a bound
-    int bounces = 0;
+    int bounces = 0;                          ///< reflections summed up
+    int products = 0;  ///< with the rows, those for the bounds included: each a pass over what is stored
     bool converged = false;
-    double greatest_row_sum = 0.0;       ///< of reflectance x factor x visibility: below 1 the series converges
+    double greatest_row_sum = 0.0;  ///< of reflectance x factor x visibility: below 1 the series converges
 };
 
 /// Neumann series. With q and p the greatest and least ratio of a reflection's exitance to the one
@@ -43,6 +44,33 @@ struct Balance {
 /// Returns   empty when stopped.
 std::optional<Balance> balance(const BalanceInput& input, const BalanceLimits& limits, const Work& work,
                                const std::function<bool(const Balance&)>& on_bounce = nullptr);
+
+/// Light exchanged once between all unknowns: arriving = rows x leaving, for several right-hand sides
+/// at once. Side s of unknown j stands at j * sides + s, in `leaving` and in `arriving`.
+/// Needs     coefficients that are not negative; the same bits on any number of threads.
+/// Returns   false when stopped.
+using Exchange = std::function<bool(std::span<const double> leaving, std::span<double> arriving, std::size_t sides)>;
+
+/// The exchange by rows that lie in memory; they must outlive it.
+Exchange exchange_by(const DenseRows& factors, const Visibility* visibility, const Work& work);
+
+/// One right-hand side: the light of one luminaire group in one colour band. All spans have one value
+/// an unknown.
+struct LightSide {
+    std::span<const double> reflectance;   ///< in this band
+    std::span<const double> direct;        ///< lx, arriving from luminaires
+    std::span<const double> own_exitance;  ///< lm/m2, emitted by the surfaces themselves
+    std::span<const double> guess = {};    ///< lm/m2, an exitance to start from; empty: there is none
+};
+
+/// The balance of several sides, each product with the rows shared by all that are not done yet.
+///
+/// `on_bounce`, when given, sees the states of all sides after every reflection and returns false to stop.
+/// Returns   one a side, in their order; empty when stopped.
+std::optional<std::vector<Balance>> balance(const Exchange& exchange, std::size_t unknowns,
+                                            std::span<const LightSide> sides, const BalanceLimits& limits,
+                                            const Work& work,
+                                            const std::function<bool(std::span<const Balance>)>& on_bounce = nullptr);
 
 /// Illuminance at receivers gathered from exitances: rows x exitance.
 std::vector<double> gather(const DenseRows& factors, const Visibility* visibility, std::span<const double> exitance,

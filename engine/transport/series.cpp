@@ -51,6 +51,24 @@ bool multiply(const DenseRows& factors, const Visibility* visibility, std::span<
     });
 }
 
+bool multiply(const DenseRows& factors, const Visibility* visibility, std::span<const double> leaving,
+              std::span<double> arriving, std::size_t sides, const Work& work) {
+    if (sides == 1) return multiply(factors, visibility, leaving, arriving, work);
+    return for_each_tile(factors.rows, rows_a_tile, work, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::span<const float> row = factors.row(i);
+            const float* shares = shares_of(visibility, i);
+            double* sums = arriving.data() + i * sides;
+            std::fill_n(sums, sides, 0.0);
+            for (std::size_t j = 0; j < row.size(); ++j) {
+                const double seen = static_cast<double>(row[j]) * (shares ? static_cast<double>(shares[j]) : 1.0);
+                if (seen == 0.0) continue;
+                for (std::size_t s = 0; s < sides; ++s) sums[s] += seen * leaving[j * sides + s];
+            }
+        }
+    });
+}
+
 std::optional<RowSums> row_sums(const DenseRows& factors, const Visibility* visibility,
                                 std::span<const double> reflectance, const Work& work) {
     RowSums sums;

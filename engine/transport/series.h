@@ -13,6 +13,10 @@ namespace hanei {
 bool multiply(const DenseRows& factors, const Visibility* visibility, std::span<const double> leaving,
               std::span<double> arriving, const Work& work);
 
+/// The same for several right-hand sides at once: side s of unknown j stands at j * sides + s.
+bool multiply(const DenseRows& factors, const Visibility* visibility, std::span<const double> leaving,
+              std::span<double> arriving, std::size_t sides, const Work& work);
+
 /// A reflection keeps at most this share of what there was: row sums of factor x visibility x
 /// reflectance, and of factor x visibility.
 struct RowSums {
