@@ -26,8 +26,9 @@ using UnknownFields = std::string;
 struct Material {
     ObjectId id;
     std::string name;
-    double reflectance = 0.5;  ///< 0 to 1, of luminous flux
+    double reflectance = 0.5;  ///< 0 to 1, of the luminous flux of neutral light
     UnknownFields unknown;
+    Vec3 tint{1.0};  ///< times reflectance: that of the three colour bands; its luminance is 1 (colour.h)
     bool operator==(const Material&) const = default;
 };
 
@@ -175,9 +176,10 @@ struct Luminaire {
     Opening opening = PointOpening{};
     Distribution distribution = Diffuse{};
     Output output = LuminousFlux{1000.0};
-    double dimming = 1.0;  ///< 0 to 1, share of the full output
-    bool opaque = false;   ///< its opening hides what lies behind it, and reflects nothing
-    std::string group;     ///< luminaires of one name are dimmed together in the window; may be empty
+    double dimming = 1.0;             ///< 0 to 1, share of the full output
+    double colour_temperature = 0.0;  ///< K, of its light; 0: neutral, white as the project's pictures show it
+    bool opaque = false;              ///< its opening hides what lies behind it, and reflects nothing
+    std::string group;                ///< luminaires of one name are dimmed together in the window; may be empty
     UnknownFields unknown;
     bool operator==(const Luminaire&) const = default;
 };

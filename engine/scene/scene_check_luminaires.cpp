@@ -1,3 +1,4 @@
+#include "engine/scene/colour.h"
 #include "engine/scene/scene_findings.h"
 
 #include <algorithm>
@@ -58,6 +59,15 @@ void check_distribution(const Scene& scene, ObjectFindings& object, const Lumina
     } else if (is_measured_opening) {
         object.error("distribution", "a measured opening needs a measured distribution; choose a photometry");
     }
+}
+
+/// 0 for neutral light, or a temperature in kelvin.
+void check_colour(ObjectFindings& object, double kelvin) {
+    if (!object.finite("colour_temperature_k", {kelvin}) || kelvin == 0.0) return;
+    if (kelvin < lowest_colour_temperature || kelvin > highest_colour_temperature)
+        object.error("colour_temperature_k", "found " + figure(kelvin) + " K, allowed are 0 (neutral) and " +
+                                                 figure(lowest_colour_temperature) + " to " +
+                                                 figure(highest_colour_temperature) + " K");
 }
 
 /// Which outputs an opening can have.
@@ -125,6 +135,7 @@ void check_luminaires(SceneChecks& checks) {
         object.finite("tilt_deg", {luminaire.tilt});
         object.finite("roll_deg", {luminaire.roll});
         object.within("dimming", luminaire.dimming, 0.0, 1.0);
+        check_colour(object, luminaire.colour_temperature);
         std::visit(OpeningCheck{object}, luminaire.opening);
         check_distribution(checks.scene, object, luminaire);
         check_output(object, luminaire);

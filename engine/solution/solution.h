@@ -6,6 +6,7 @@
 #include "engine/plan/plan.h"
 #include "engine/solution/shadows.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -75,6 +76,9 @@ struct DisplayVertex {
 struct DisplayMesh {
     std::vector<DisplayVertex> vertices;
     std::vector<DisplayCell> cells;
+    /// Total illuminance in the three colour bands, one a vertex, whose luminance is the vertex's total;
+    /// empty when the scene is neutral (colour.h): then every band is the total.
+    std::vector<std::array<float, 3>> tinted;
     bool has_unshadowed = false;
 };
 
@@ -103,6 +107,8 @@ struct Solution {
     std::vector<double> patch_interreflected;  ///< lx
     std::vector<double> patch_exitance;        ///< lm/m2, solved: what points gather from
     std::vector<double> patch_exitance_half_width;
+    std::vector<double>
+        patch_exitance_bands;  ///< lm/m2, 3 a patch: in the colour bands; empty when the scene is neutral
 
     /// The second, coarser solution that the mesh part of the error bars is estimated from; null
     /// when it was not asked for.

@@ -35,6 +35,7 @@ Luminaire light_of(const Luminaire& luminaire) {
     kept.group.clear();
     kept.unknown.clear();
     kept.dimming = 1.0;
+    kept.colour_temperature = 0.0;
     return kept;
 }
 

@@ -9,7 +9,7 @@ namespace hanei {
 /// their materials (not the reflectances), and the opaque luminaires, which cover what they lie on.
 Scene surfaces_of(const Scene& scene);
 
-/// The luminaire at full output: what its direct light depends on. Name, group, dimming are taken out.
+/// The luminaire at full output: what its direct light depends on. Name, group, dimming and colour are taken out.
 Luminaire light_of(const Luminaire& luminaire);
 
 }  // namespace hanei

@@ -97,6 +97,43 @@ TEST(SceneCheck, a_reflectance_above_one_is_an_error_that_says_what_is_allowed) 
     expect_only(scene, Severity::error, "materials[0].reflectance", "found 1.2, allowed are 0 to 1");
 }
 
+TEST(SceneCheck, a_tint_has_luminance_one_and_the_error_says_which_would) {
+    Scene scene = sound_scene();
+    scene.materials[0].tint = {1.05, 1.0, 0.85281};  // 0.2126 x 1.05 + 0.7152 + 0.0722 x 0.85281 = 1.00000
+    EXPECT_TRUE(check_scene(scene).empty());
+    scene.materials[0].tint = {2.0, 2.0, 2.0};
+    expect_only(scene, Severity::error, "materials[0].tint", "found 2, 2, 2 of luminance 2");
+    expect_only(scene, Severity::error, "materials[0].tint", "write 1, 1, 1");
+    scene.materials[0].tint = Vec3(0.0);
+    expect_only(scene, Severity::error, "materials[0].tint", "found 0, 0, 0 of luminance 0, allowed is");
+    scene.materials[0].tint = {-1.0, 1.5, 1.94};
+    expect_only(scene, Severity::error, "materials[0].tint", "found -1, 1.5, 1.94, allowed are");
+    scene.materials[0].tint.x = nan;
+    expect_only(scene, Severity::error, "materials[0].tint", "no number");
+}
+
+TEST(SceneCheck, no_band_of_a_colour_reflects_more_than_it_gets) {
+    Scene scene = sound_scene();
+    scene.materials[0].reflectance = 0.5;
+    scene.materials[0].tint = {2.5, 0.6, 0.5463};
+    expect_only(scene, Severity::error, "materials[0].tint", "a band would reflect 1.25, allowed is 1 at most");
+    scene.materials[0].reflectance = 0.4;
+    EXPECT_TRUE(check_scene(scene).empty());
+}
+
+TEST(SceneCheck, a_colour_temperature_is_zero_or_one_that_light_can_have) {
+    Scene scene = sound_scene();
+    for (const double kelvin : {0.0, 1000.0, 2700.0, 25000.0}) {
+        scene.luminaires[0].colour_temperature = kelvin;
+        EXPECT_TRUE(check_scene(scene).empty()) << kelvin;
+    }
+    for (const double kelvin : {-1.0, 27.0, 999.0, 30000.0, nan}) {
+        scene.luminaires[0].colour_temperature = kelvin;
+        expect_only(scene, Severity::error, "luminaires[0].colour_temperature_k",
+                    std::isnan(kelvin) ? "no number" : "allowed are 0 (neutral) and 1000 to 25000 K");
+    }
+}
+
 TEST(SceneCheck, a_closed_room_that_reflects_all_light_is_warned_about) {
     Scene scene = sound_scene();
     scene.materials[0].reflectance = 1.0;
