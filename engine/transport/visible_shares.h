@@ -1,0 +1,57 @@
+/// How much of each patch a receiver sees past the bodies that stand in the room.
+#pragma once
+
+#include "engine/mesh/mesh.h"
+#include "engine/transport/column_range.h"
+#include "engine/transport/seen_face.h"
+#include "engine/transport/shadow_cast.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hanei {
+
+/// Shares (0 to 1) of the form factors of patches that no body hides: 1 for a patch in full view, 0 for
+/// one in umbra, between them by the exact visible part where a shadow's border crosses the patch.
+/// A patch whose factor is 0 anyway keeps 1 or gets 0: its share says nothing.
+///
+/// Needs     receivers that lie side by side, about 16 of a face: what may hide a face is looked up for
+///           all of them at once. Any others are answered as well, later.
+/// Holds     the mesh and the occluders by reference, and its memory from one use to the next: keep one
+///           a thread. A receiver's shares do not depend on the others asked with it.
+class VisibleShares {
+public:
+    VisibleShares(const Mesh& mesh, const OccluderSet& occluders);
+
+    /// Needs     rows of ones, a row a receiver, a share a patch.
+    /// Returns   false when nothing is hidden from any of the receivers.
+    bool write(std::span<const Receiver> side_by_side, float* shares);
+
+    /// Patches of which bodies that went or came may hide something from a receiver: whole faces,
+    /// ascending, appended.
+    void touched_by(const OccluderSet& gone, const OccluderSet& come, std::span<const Receiver> side_by_side,
+                    std::vector<ColumnRange>& found) const;
+
+    /// The same as `write` for the patches of some faces alone, as `touched_by` names them: the rest of
+    /// the rows is left as it is.
+    /// Needs     ones at those patches.
+    bool write(std::span<const Receiver> side_by_side, std::span<const ColumnRange> patches, float* shares);
+
+private:
+    bool write_face(std::size_t face, const Receiver& receiver, float* row);
+    void write_limits(const MeshFace& face, const Receiver& receiver, float* row) const;
+    std::span<const BodyIndex> bodies_before(std::size_t face);
+
+    const Mesh& mesh_;
+    const OccluderSet& occluders_;
+    std::vector<FaceLayout> layouts_;
+    ShadowCast cast_;
+    Box eyes_;                                   // around the receivers side by side
+    std::size_t tile_ = 0;                       // how many times receivers were given
+    std::vector<std::size_t> known_for_;         // tile, one a face
+    std::vector<std::vector<BodyIndex>> known_;  // bodies that may stand between the eyes and a face
+    std::vector<BodyIndex> bodies_;
+};
+
+}  // namespace hanei
