@@ -11,6 +11,8 @@ namespace hanei {
 
 namespace {
 
+constexpr double crowding = 1.5;  ///< q of the crowded grid
+
 /// Coordinates in the plane of a face.
 struct FaceFrame {
     Vec3 origin{0.0};
@@ -142,8 +144,22 @@ int patches_along(double side, double wished) {
     return std::max(1, static_cast<int>(std::floor(std::min(side / wished, 1e6) + 0.5)));
 }
 
+std::vector<double> grid_lines(double low, double high, double wished, Grading grading) {
+    const int count = patches_along(high - low, wished);
+    std::vector<double> lines;
+    for (int k = 0; k <= count; ++k) {
+        double share = static_cast<double>(k) / count;
+        if (grading == Grading::crowded) {
+            share = 2 * k <= count ? 0.5 * std::pow(2.0 * share, crowding)
+                                   : 1.0 - 0.5 * std::pow(2.0 * (1.0 - share), crowding);
+        }
+        lines.push_back(low + (high - low) * share);
+    }
+    return lines;
+}
+
 std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, std::span<const Crease> creases,
-                           double max_patch, double thickness) {
+                           double max_patch, Grading grading, double thickness) {
     const FaceFrame frame(face);
     const FlatBox whole(frame, face.region.outline);
     const std::vector<Cutter> pieces = cutters_of(frame, pieces_of(face.region, face.normal));
@@ -152,16 +168,14 @@ std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, st
     for (const FaceArea& area : face.areas)
         areas.push_back({area.outline, FlatBox(frame, area.outline), area.material});
 
-    const int columns = patches_along(whole.high.x - whole.low.x, max_patch);
-    const int rows = patches_along(whole.high.y - whole.low.y, max_patch);
-    const auto u = [&](int i) { return whole.low.x + (whole.high.x - whole.low.x) * i / columns; };
-    const auto v = [&](int j) { return whole.low.y + (whole.high.y - whole.low.y) * j / rows; };
+    const std::vector<double> u = grid_lines(whole.low.x, whole.high.x, max_patch, grading);
+    const std::vector<double> v = grid_lines(whole.low.y, whole.high.y, max_patch, grading);
 
     std::vector<Cell> cells;
-    for (int j = 0; j < rows; ++j) {
-        for (int i = 0; i < columns; ++i) {
-            const Polygon cell{frame.place(u(i), v(j)), frame.place(u(i + 1), v(j)), frame.place(u(i + 1), v(j + 1)),
-                               frame.place(u(i), v(j + 1))};
+    for (std::size_t j = 0; j + 1 < v.size(); ++j) {
+        for (std::size_t i = 0; i + 1 < u.size(); ++i) {
+            const Polygon cell{frame.place(u[i], v[j]), frame.place(u[i + 1], v[j]), frame.place(u[i + 1], v[j + 1]),
+                               frame.place(u[i], v[j + 1])};
             const FlatBox box(frame, cell);
             std::vector<Polygon> parts = inside_face(cell, box, pieces, face.normal, thickness);
             take_away(parts, box, cuts, thickness);

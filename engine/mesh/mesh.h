@@ -52,20 +52,20 @@ struct MeshFace {
 };
 
 struct Patch {
-    std::uint32_t face = 0;           ///< index into Mesh::faces
-    std::vector<VertexId> corners;    ///< convex, counter-clockwise seen from the lit side
-    Polygon outline;                  ///< the corners' places
+    std::uint32_t face = 0;         ///< index into Mesh::faces
+    std::vector<VertexId> corners;  ///< convex, counter-clockwise seen from the lit side
+    Polygon outline;                ///< the corners' places
     Vec3 centre{0.0};
-    double area = 0.0;                ///< m2
-    ObjectId material;                ///< reflectance is looked up when the balance is struck
+    double area = 0.0;  ///< m2
+    ObjectId material;  ///< reflectance is looked up when the balance is struck
     LuminousExitance own_exitance;
 };
 
 /// A corner of patches of one face (edges shared by two faces have vertices of both).
 struct Vertex {
     std::uint32_t face = 0;
-    Receiver receiver;    ///< place, normal, and the direction into its face when on the edge of it
-    double area = 0.0;    ///< m2, each patch's area shared evenly among its corners: the paper's w_j A_j
+    Receiver receiver;  ///< place, normal, and the direction into its face when on the edge of it
+    double area = 0.0;  ///< m2, each patch's area shared evenly among its corners: the paper's w_j A_j
     ObjectId material;
     LuminousExitance own_exitance;
 };
@@ -80,8 +80,14 @@ struct Mesh {
     Receiver centre_of(const Patch& patch) const { return {patch.centre, faces[patch.face].face.normal, Vec3{0.0}}; }
 };
 
-/// Meshes every face. `max_patch` is the wished patch width in metres.
-std::shared_ptr<const Mesh> make_mesh(const Scene& scene, double max_patch);
+/// How the lines of a face's grid lie.
+enum class Grading : std::uint8_t {
+    uniform,  ///< equally far apart: the paper's equation 5
+    crowded   ///< as many, but crowding towards the face's borders, where interreflected light bends most
+};
+
+/// Meshes every face. `max_patch` is the wished patch width in metres; of a crowded grid the mean.
+std::shared_ptr<const Mesh> make_mesh(const Scene& scene, double max_patch, Grading grading = Grading::uniform);
 
 /// The scene's shadow casters: furniture parts as convex solids (several where a part is not convex; by
 /// their faces where it cannot be cut into such), free surfaces and opaque openings as flat

@@ -3,22 +3,15 @@
 #include "engine/geometry/polygon.h"
 #include "engine/mesh/cells.h"
 #include "tests/unit/mesh/sample_scenes.h"
+#include "tests/unit/mesh/sound_mesh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
-#include <set>
 
 namespace hanei {
 namespace {
-
-double area_of(const Mesh& mesh, std::size_t face) {
-    double area = 0.0;
-    for (std::uint32_t k = 0; k < mesh.faces[face].patch_count; ++k)
-        area += mesh.patches[mesh.faces[face].first_patch + k].area;
-    return area;
-}
 
 /// Index of the face of an object; -1 when the mesh lacks it.
 int face_of(const Mesh& mesh, ObjectId object, int face) {
@@ -41,40 +34,36 @@ std::size_t face_towards(const Mesh& mesh, ObjectId object, const Vec3& directio
     return best;
 }
 
-constexpr double rounding = 1e-7;  // m2: areas lose strips of 1e-9 of the room's diameter at every cut
-
-void expect_sound(const Mesh& mesh) {
-    double of_patches = 0.0;
-    double of_vertices = 0.0;
-    for (const Patch& patch : mesh.patches) {
-        const Vec3 normal = mesh.faces[patch.face].face.normal;
-        EXPECT_TRUE(is_convex(patch.outline, normal));
-        EXPECT_GT(patch.area, 0.0);
-        ASSERT_EQ(patch.corners.size(), patch.outline.size());
-        for (std::size_t k = 0; k < patch.corners.size(); ++k) {
-            EXPECT_EQ(mesh[patch.corners[k]].receiver.position, patch.outline[k]);
-            EXPECT_EQ(mesh[patch.corners[k]].face, patch.face);
-            const Vec3 edge = patch.outline[(k + 1) % patch.outline.size()] - patch.outline[k];
-            EXPECT_GT(glm::dot(glm::cross(edge, patch.centre - patch.outline[k]), normal), 0.0);
-        }
-        of_patches += patch.area;
-    }
-    for (const Vertex& vertex : mesh.vertices) of_vertices += vertex.area;
-    EXPECT_NEAR(of_patches, of_vertices, 1e-9 * of_patches);  // sums of the same numbers in another order
-    std::set<VertexId> in_rows;
-    for (const MeshFace& face : mesh.faces) {
-        for (const VertexRow& row : face.rows) {
-            for (const VertexId id : row.vertices) EXPECT_TRUE(in_rows.insert(id).second);
-        }
-    }
-    EXPECT_EQ(in_rows.size(), mesh.vertices.size());
-}
-
 TEST(Mesh, the_number_of_patches_follows_equation_5_and_is_never_zero) {
     EXPECT_EQ(patches_along(8.0, 0.5), 16);
     EXPECT_EQ(patches_along(1.2, 0.5), 2);
     EXPECT_EQ(patches_along(1.3, 0.5), 3);
     EXPECT_EQ(patches_along(0.2, 0.5), 1);
+}
+
+TEST(Mesh, crowded_lines_are_as_many_and_nearer_to_each_other_towards_both_ends) {
+    for (const double wished : {0.11, 0.5, 0.9, 2.0, 9.0}) {
+        const std::vector<double> even = grid_lines(-1.0, 4.0, wished, Grading::uniform);
+        const std::vector<double> crowded = grid_lines(-1.0, 4.0, wished, Grading::crowded);
+        ASSERT_EQ(crowded.size(), even.size());
+        EXPECT_EQ(crowded.front(), -1.0);
+        EXPECT_EQ(crowded.back(), 4.0);
+        for (std::size_t k = 1; k < crowded.size(); ++k) {
+            EXPECT_GT(crowded[k], crowded[k - 1]);
+            const std::size_t mirrored = crowded.size() - 1 - k;
+            EXPECT_NEAR(crowded[k] - -1.0, 4.0 - crowded[mirrored], 1e-14);  // rounding of coordinates of 4 m
+            if (2 * k + 1 >= crowded.size()) continue;
+            EXPECT_LT(crowded[k] - crowded[k - 1], (crowded[k + 1] - crowded[k]) * (1.0 + 1e-12));
+        }
+    }
+}
+
+TEST(Mesh, a_crowded_room_has_as_many_patches_and_the_same_area) {
+    const auto mesh = make_mesh(sample::box_room(8.0, 6.0, 3.0), 0.5, Grading::crowded);
+    EXPECT_EQ(mesh->patches.size(), 2U * (16 * 12 + 16 * 6 + 12 * 6));
+    EXPECT_NEAR(area_of(*mesh, 0), 48.0, rounding);
+    expect_sound(*mesh);
+    expect_sound(*make_mesh(sample::computer_room(), 0.4, Grading::crowded));
 }
 
 TEST(Mesh, an_empty_room_has_the_patches_of_its_grids) {
