@@ -20,19 +20,25 @@ std::vector<BodyIndex> bodies_before(std::span<const Receiver> receivers, const 
 }  // namespace
 
 std::optional<std::vector<double>> direct_estimates(const Emitter& emitter, std::span<const Receiver> receivers,
-                                                    const OccluderSet* occluders, const Work& work) {
+                                                    const OccluderSet* occluders, const Accuracy& accuracy,
+                                                    const Work& work) {
     std::vector<double> arriving(2 * receivers.size());
     const bool finished = for_each_tile(receivers.size(), 64, work, [&](std::size_t begin, std::size_t end) {
         const std::vector<BodyIndex> among = bodies_before(receivers.subspan(begin, end - begin), emitter, occluders);
         for (std::size_t k = begin; k < end; ++k) {
-            const Estimate here = among.empty() ? emitter.estimate(receivers[k], nullptr)
-                                                : emitter.estimate(receivers[k], *occluders, among);
+            const Estimate here = among.empty() ? emitter.estimate(receivers[k], nullptr, accuracy)
+                                                : emitter.estimate(receivers[k], *occluders, among, accuracy);
             arriving[k] = here.value;
             arriving[receivers.size() + k] = here.error;
         }
     });
     if (!finished) return std::nullopt;
     return arriving;
+}
+
+std::optional<std::vector<double>> direct_estimates(const Emitter& emitter, std::span<const Receiver> receivers,
+                                                    const OccluderSet* occluders, const Work& work) {
+    return direct_estimates(emitter, receivers, occluders, Accuracy{}, work);
 }
 
 std::optional<std::vector<double>> direct_illuminance(const Emitter& emitter, std::span<const Receiver> receivers,

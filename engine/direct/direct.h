@@ -5,6 +5,7 @@
 
 #include "engine/base/progress.h"
 #include "engine/base/quantity.h"
+#include "engine/direct/accuracy.h"
 #include "engine/direct/estimate.h"
 #include "engine/geometry/configuration_factor.h"
 #include "engine/geometry/occluders.h"
@@ -41,9 +42,11 @@ public:
     Illuminance illuminance(const Receiver& receiver, const OccluderSet& occluders,
                             std::span<const BodyIndex> among) const;
 
-    /// The same with by how much the value may be off, lx: 0 but for measured openings.
-    Estimate estimate(const Receiver& receiver, const OccluderSet* occluders) const;
-    Estimate estimate(const Receiver& receiver, const OccluderSet& occluders, std::span<const BodyIndex> among) const;
+    /// The same with by how much the value may be off, lx: 0 but for measured openings, whose light is
+    /// worked out no further than `accuracy` asks for.
+    Estimate estimate(const Receiver& receiver, const OccluderSet* occluders, const Accuracy& accuracy = {}) const;
+    Estimate estimate(const Receiver& receiver, const OccluderSet& occluders, std::span<const BodyIndex> among,
+                      const Accuracy& accuracy = {}) const;
 
     LuminousFlux flux() const;  ///< at full output
     ObjectId luminaire() const;
@@ -65,6 +68,9 @@ std::optional<std::vector<double>> direct_illuminance(const Emitter& emitter, st
 
 /// The same, followed by as many errors of these values.
 std::optional<std::vector<double>> direct_estimates(const Emitter& emitter, std::span<const Receiver> receivers,
+                                                    const OccluderSet* occluders, const Accuracy& accuracy,
+                                                    const Work& work);
+std::optional<std::vector<double>> direct_estimates(const Emitter& emitter, std::span<const Receiver> receivers,
                                                     const OccluderSet* occluders, const Work& work);
 
 /// Mean illuminance over every convex polygon (patch). In free light 2 x 2 Gauss points (3 in a
@@ -81,5 +87,12 @@ struct ReceivingPolygon {
 std::optional<std::vector<double>> mean_direct_illuminance(const Emitter& emitter,
                                                            std::span<const ReceivingPolygon> polygons,
                                                            const OccluderSet* occluders, const Work& work);
+
+/// The same, followed by as many errors of these means: what the spread of the points leaves open, and
+/// what the points themselves may be off by. No more points are asked than `accuracy` needs.
+std::optional<std::vector<double>> mean_direct_estimates(const Emitter& emitter,
+                                                         std::span<const ReceivingPolygon> polygons,
+                                                         const OccluderSet* occluders, const Accuracy& accuracy,
+                                                         const Work& work);
 
 }  // namespace hanei

@@ -174,6 +174,7 @@ struct PiecesOf {
 struct Arriving {
     const Receiver& receiver;
     Obstacles obstacles;
+    Accuracy accuracy;
 
     Estimate operator()(const PointSource& source) const {
         const double whole = source.unobstructed(receiver);
@@ -195,7 +196,7 @@ struct Arriving {
         return {sum};
     }
     Estimate operator()(const DiffuseSource& source) const { return {source.obstructed(receiver, obstacles)}; }
-    Estimate operator()(const MeasuredSource& source) const { return source.obstructed(receiver, obstacles); }
+    Estimate operator()(const MeasuredSource& source) const { return source.obstructed(receiver, obstacles, accuracy); }
 
 private:
     std::vector<BodyIndex>& bodies_between(std::span<const Vec3> points) const {
@@ -215,13 +216,13 @@ Emitter::Emitter(const Scene& scene, const Luminaire& luminaire) {
         Parts{luminaire.id, made.flux, std::move(made.source), std::move(extent), std::move(pieces)});
 }
 
-Estimate Emitter::estimate(const Receiver& receiver, const OccluderSet* occluders) const {
-    return std::visit(Arriving{receiver, {occluders, parts_->luminaire.value, {}}}, parts_->source);
+Estimate Emitter::estimate(const Receiver& receiver, const OccluderSet* occluders, const Accuracy& accuracy) const {
+    return std::visit(Arriving{receiver, {occluders, parts_->luminaire.value, {}}, accuracy}, parts_->source);
 }
 
-Estimate Emitter::estimate(const Receiver& receiver, const OccluderSet& occluders,
-                           std::span<const BodyIndex> among) const {
-    return std::visit(Arriving{receiver, {&occluders, parts_->luminaire.value, among}}, parts_->source);
+Estimate Emitter::estimate(const Receiver& receiver, const OccluderSet& occluders, std::span<const BodyIndex> among,
+                           const Accuracy& accuracy) const {
+    return std::visit(Arriving{receiver, {&occluders, parts_->luminaire.value, among}, accuracy}, parts_->source);
 }
 
 Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet* occluders) const {

@@ -17,6 +17,8 @@ constexpr int shadow_level = 1;
 /// Gauss points of a smooth cell err by about the fourth power of the spread; at the rim of a penumbra,
 /// where light begins to fall, by a fifth of it.
 constexpr double smooth_spread = 0.05;
+constexpr double of_smooth = 0.05;  // of the spread's square over the greatest value
+constexpr double of_shadow = 0.5;   // of the spread
 
 /// Part of a patch: a quadrilateral, or a triangle (its last two corners are one).
 struct Cell {
@@ -67,12 +69,14 @@ std::size_t samples_of(const Cell& cell, std::array<Sample, 4>& samples) {
     return 4;
 }
 
-/// Flux on a cell and its area.
+/// Flux on a cell, by how much it may be off, and the cell's area.
 struct Sum {
     double flux = 0.0;
+    double error = 0.0;
     double area = 0.0;
     void operator+=(const Sum& other) {
         flux += other.flux;
+        error += other.error;
         area += other.area;
     }
 };
@@ -82,39 +86,63 @@ struct Light {
     const Emitter& emitter;
     const OccluderSet* occluders;
     std::span<const BodyIndex> bodies;
+    Accuracy accuracy;
 
-    double illuminance(const Receiver& receiver) const {
-        if (bodies.empty()) return emitter.illuminance(receiver, nullptr).value;
-        return emitter.illuminance(receiver, *occluders, bodies).value;
+    Estimate at(const Receiver& receiver) const {
+        if (bodies.empty()) return emitter.estimate(receiver, nullptr, accuracy);
+        return emitter.estimate(receiver, *occluders, bodies, accuracy);
     }
 };
 
-Sum arriving_on(const Cell& cell, const Vec3& normal, const Light& light, int levels) {
-    if (!light.bodies.empty() && levels > finest_level - shadow_level) {
-        Sum sum;
-        for (const Cell& quarter : quarters(cell)) sum += arriving_on(quarter, normal, light, levels - 1);
-        return sum;
-    }
-    std::array<Sample, 4> samples;
-    const std::size_t count = samples_of(cell, samples);
+struct Sampled {
     Sum sum;
     double least = 0.0, greatest = 0.0;
+
+    double spread() const { return greatest - least; }
+};
+
+Sampled sampled(const Cell& cell, const Vec3& normal, const Light& light) {
+    std::array<Sample, 4> samples;
+    const std::size_t count = samples_of(cell, samples);
+    Sampled all;
     for (std::size_t k = 0; k < count; ++k) {
-        const double here = light.illuminance({samples[k].place, normal, Vec3{0.0}});
-        least = k == 0 ? here : std::min(least, here);
-        greatest = std::max(greatest, here);
-        sum += {here * samples[k].area, samples[k].area};
+        const Estimate here = light.at({samples[k].place, normal, Vec3{0.0}});
+        all.least = k == 0 ? here.value : std::min(all.least, here.value);
+        all.greatest = std::max(all.greatest, here.value);
+        all.sum += {here.value * samples[k].area, here.error * samples[k].area, samples[k].area};
     }
-    if (levels == 0 || greatest - least <= smooth_spread * greatest) return sum;
-    sum = {};
+    return all;
+}
+
+Sum in_quarters(const Cell& cell, const Vec3& normal, const Light& light, int levels);
+
+Sum arriving_on(const Cell& cell, const Vec3& normal, const Light& light, int levels) {
+    const bool shadowed = !light.bodies.empty();
+    if (shadowed && levels > finest_level - shadow_level) return in_quarters(cell, normal, light, levels);
+    Sampled coarse = sampled(cell, normal, light);
+    const double spread = coarse.spread();
+    const double smooth =
+        shadowed ? of_shadow * spread : of_smooth * spread * spread / std::max(coarse.greatest, 1e-300);
+    const double off = smooth * coarse.sum.area;
+    if (levels == 0 || spread <= smooth_spread * coarse.greatest ||
+        off <= light.accuracy.allowed(coarse.sum.flux / coarse.sum.area) * coarse.sum.area) {
+        coarse.sum.error += off;
+        return coarse.sum;
+    }
+    return in_quarters(cell, normal, light, levels);
+}
+
+Sum in_quarters(const Cell& cell, const Vec3& normal, const Light& light, int levels) {
+    Sum sum;
     for (const Cell& quarter : quarters(cell)) sum += arriving_on(quarter, normal, light, levels - 1);
     return sum;
 }
 
-double mean_on(const ReceivingPolygon& polygon, const Emitter& emitter, const OccluderSet* occluders) {
+Estimate mean_on(const ReceivingPolygon& polygon, const Emitter& emitter, const OccluderSet* occluders,
+                 const Accuracy& accuracy) {
     thread_local std::vector<BodyIndex> between;
-    if (is_unlit(classify(polygon, emitter, occluders, std::nullopt, between))) return 0.0;
-    const Light light{emitter, occluders, between};
+    if (is_unlit(classify(polygon, emitter, occluders, std::nullopt, between))) return {};
+    const Light light{emitter, occluders, between, accuracy};
     const std::span<const Vec3> corners = polygon.outline;
     Sum sum;
     if (corners.size() == 4) {
@@ -126,19 +154,32 @@ double mean_on(const ReceivingPolygon& polygon, const Emitter& emitter, const Oc
             sum += arriving_on(part, polygon.normal, light, finest_level);
         }
     }
-    return sum.area > 0.0 ? sum.flux / sum.area : 0.0;
+    return sum.area > 0.0 ? Estimate{sum.flux / sum.area, sum.error / sum.area} : Estimate{};
 }
 
 }  // namespace
 
+std::optional<std::vector<double>> mean_direct_estimates(const Emitter& emitter,
+                                                         std::span<const ReceivingPolygon> polygons,
+                                                         const OccluderSet* occluders, const Accuracy& accuracy,
+                                                         const Work& work) {
+    std::vector<double> means(2 * polygons.size());
+    const bool finished = for_each_tile(polygons.size(), 16, work, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Estimate mean = mean_on(polygons[k], emitter, occluders, accuracy);
+            means[k] = mean.value;
+            means[polygons.size() + k] = mean.error;
+        }
+    });
+    if (!finished) return std::nullopt;
+    return means;
+}
+
 std::optional<std::vector<double>> mean_direct_illuminance(const Emitter& emitter,
                                                            std::span<const ReceivingPolygon> polygons,
                                                            const OccluderSet* occluders, const Work& work) {
-    std::vector<double> means(polygons.size());
-    const bool finished = for_each_tile(polygons.size(), 16, work, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) means[k] = mean_on(polygons[k], emitter, occluders);
-    });
-    if (!finished) return std::nullopt;
+    auto means = mean_direct_estimates(emitter, polygons, occluders, Accuracy{}, work);
+    if (means) means->resize(polygons.size());
     return means;
 }
 

@@ -111,8 +111,8 @@ MeasuredSource::Sight MeasuredSource::sight_of(const Receiver& receiver) const {
     return all_above ? Sight::whole : Sight::partly;
 }
 
-std::optional<Estimate> MeasuredSource::as_point(const Receiver& receiver) const {
-    constexpr double nearest = 10.0;  // radii; nearer than that no distribution is certified to 1e-4
+std::optional<Estimate> MeasuredSource::as_point(const Receiver& receiver, const Accuracy& accuracy) const {
+    constexpr double nearest = 4.0;  // radii; nearer than that no distribution is certified to a few percent
     const Vec3 away = receiver.position - certificate_.opening().centre;
     const double square = glm::dot(away, away);
     const double radius = certificate_.opening().radius;
@@ -120,15 +120,18 @@ std::optional<Estimate> MeasuredSource::as_point(const Receiver& receiver) const
     const double distance = std::sqrt(square);
     const double cosine = -glm::dot(away, receiver.normal) / distance;
     const double candela = table_.candela(away);
+    const double allowed =
+        std::max({greatest_error_, accuracy.share * candela * cosine, accuracy.floor * square / scale_});
     // What the inverse square law alone leaves out is soon known.
     const double ratio = certificate_.opening().mean_distance / distance;
-    if (3.0 * ratio * ratio * candela > greatest_error_) return std::nullopt;
+    if (3.0 * ratio * ratio * candela > allowed) return std::nullopt;
     const double error = certificate_.error(away, distance, candela, cosine);
-    if (!(error <= greatest_error_)) return std::nullopt;
+    if (!(error <= allowed)) return std::nullopt;
     return Estimate{scale_ * candela * cosine / square, scale_ * error / square};
 }
 
-Estimate MeasuredSource::obstructed(const Receiver& receiver, const Obstacles& obstacles) const {
+Estimate MeasuredSource::obstructed(const Receiver& receiver, const Obstacles& obstacles,
+                                    const Accuracy& accuracy) const {
     const Sight sight = sight_of(receiver);
     if (sight == Sight::none) return {};
     thread_local std::vector<BodyIndex> others;
@@ -136,7 +139,7 @@ Estimate MeasuredSource::obstructed(const Receiver& receiver, const Obstacles& o
     const Receiver local{(receiver.position - placed_.position) * placed_.rotation, receiver.normal * placed_.rotation,
                          Vec3{0.0}};
     if (sight == Sight::whole && others.empty()) {
-        if (const auto point = as_point(local)) return *point;
+        if (const auto point = as_point(local, accuracy)) return *point;
     }
     thread_local std::vector<Polygon> seen;
     if (solid_) seen_faces(*solid_, local.position, seen);
@@ -155,8 +158,8 @@ Estimate MeasuredSource::obstructed(const Receiver& receiver, const Obstacles& o
             integral.add(part);
         }
     }
-    const Estimate sum = integral.value();
     const double scale = solid_ ? scale_ : scale_ / area_;
+    const Estimate sum = integral.value({accuracy.share, accuracy.floor / scale});
     return {scale * sum.value, scale * sum.error};
 }
 

@@ -1,6 +1,7 @@
 /// A luminous opening every element of which radiates a measured distribution.
 #pragma once
 
+#include "engine/direct/accuracy.h"
 #include "engine/direct/intensity_table.h"
 #include "engine/direct/obstacles.h"
 #include "engine/direct/opening_integral.h"
@@ -26,8 +27,8 @@ namespace hanei {
 /// faces that the receiver is before (measured_opening.h). The visible part of each is cut out exactly
 /// and integrated by Gauss points, split where two levels disagree.
 ///
-/// Where nothing is in between and the certificate leaves less than share_left_out_by_points, the opening is
-/// taken for a point, and the certificate's bound is the error.
+/// Where nothing is in between and the certificate leaves less than share_left_out_by_points, or than is
+/// allowed, the opening is taken for a point, and the certificate's bound is the error.
 class MeasuredSource {
 public:
     /// `opening`: flat, in the luminaire's frame; `scale` is k.
@@ -36,7 +37,7 @@ public:
 
     /// Estimate::error: lx, by which the value may be off (opening_integral.h).
     Estimate unobstructed(const Receiver& receiver) const { return obstructed(receiver, Obstacles{}); }
-    Estimate obstructed(const Receiver& receiver, const Obstacles& obstacles) const;
+    Estimate obstructed(const Receiver& receiver, const Obstacles& obstacles, const Accuracy& accuracy = {}) const;
 
     const Polygon& extent() const { return extent_; }  ///< scene coordinates
     /// Convex polygons behind whose hull nothing of the opening is: its own, or the faces of the box
@@ -49,7 +50,7 @@ public:
 private:
     enum class Sight { none, partly, whole };  ///< of the opening over the receiver's horizon
     Sight sight_of(const Receiver& receiver) const;
-    std::optional<Estimate> as_point(const Receiver& receiver) const;
+    std::optional<Estimate> as_point(const Receiver& receiver, const Accuracy& accuracy) const;
 
     Placement placed_;
     std::vector<Polygon> pieces_;  ///< convex, in the luminaire's frame; empty for a solid

@@ -9,7 +9,7 @@ namespace hanei {
 namespace {
 
 constexpr int deepest_level = 10;
-constexpr double accuracy = 4e-3;          // of the result, at which cutting ends
+constexpr double finest_accuracy = 4e-3;   // of the result, at which cutting ends
 constexpr double faintest = 2e-5;          // of the peak: what is less is not looked into
 constexpr double error_of_settled = 8e-4;  // of elements that are not cut
 
@@ -138,7 +138,8 @@ OpeningIntegral::Halved OpeningIntegral::halved(const Element& element, int leve
     return result;
 }
 
-Estimate OpeningIntegral::value() const {
+Estimate OpeningIntegral::value(const Accuracy& accuracy) const {
+    const double share = std::max(accuracy.share, finest_accuracy);
     thread_local std::vector<Halved> open;  // a heap, the greatest difference on top
     const auto less = [](const Halved& a, const Halved& b) { return a.difference < b.difference; };
     open.clear();
@@ -156,7 +157,8 @@ Estimate OpeningIntegral::value() const {
     }
     std::ranges::make_heap(open, less);
     const double faint = faintest * table_.peak() * clear;
-    while (left.error() > std::max(accuracy * (settled + total), faint) && open.front().levels > 0) {
+    const double unimportant = std::max(faint, accuracy.floor);
+    while (left.error() > std::max(share * (settled + total), unimportant) && open.front().levels > 0) {
         std::ranges::pop_heap(open, less);
         const Halved coarse = open.back();
         open.pop_back();
