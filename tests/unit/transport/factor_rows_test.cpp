@@ -1,0 +1,154 @@
+#include "engine/transport/factor_rows.h"
+
+#include "engine/transport/factors.h"
+#include "tests/unit/mesh/sample_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace hanei {
+namespace {
+
+struct Rows {
+    std::shared_ptr<const Mesh> mesh;
+    Nodes nodes;
+    std::size_t columns = 0;
+    std::vector<float> values;
+
+    Rows(const Scene& scene, double max_patch, Elements elements, std::vector<Receiver> receivers = {})
+        : mesh(make_mesh(scene, max_patch)), nodes(nodes_of(*mesh, elements)) {
+        if (receivers.empty()) receivers = nodes.receivers;
+        FactorRows rows(*mesh, nodes);
+        columns = rows.columns();
+        values.resize(receivers.size() * columns);
+        rows.write(receivers, values.data());
+    }
+    double at(std::size_t row, std::size_t column) const { return static_cast<double>(values[row * columns + column]); }
+    double sum(std::size_t row) const {
+        double total = 0.0;
+        for (std::size_t k = 0; k < columns; ++k) total += at(row, k);
+        return total;
+    }
+};
+
+/// Integral of the kernel times the basis of each node, by midpoints on a grid.
+std::array<double, 4> shares_by_force(const Mesh& mesh, const Nodes& nodes, std::size_t patch, const Receiver& at) {
+    constexpr int steps = 400;
+    const Polygon& outline = mesh.patches[patch].outline;
+    const PatchFrame frame = nodes.frame(patch);
+    const Vec3& front = mesh.faces[mesh.patches[patch].face].face.normal;
+    std::array<double, 4> sums{};
+    for (int i = 0; i < steps; ++i) {
+        for (int j = 0; j < steps; ++j) {
+            const double u = (i + 0.5) / steps, v = (j + 0.5) / steps;
+            const Vec3 place = outline[0] + u * (outline[1] - outline[0]) + v * (outline[3] - outline[0]);
+            const Vec3 seen = place - at.position;
+            const double square = glm::dot(seen, seen);
+            const double kernel = std::max(0.0, glm::dot(seen, at.normal)) * std::max(0.0, -glm::dot(seen, front)) /
+                                  (std::numbers::pi * square * square);
+            const Vec2 c = frame.coordinates(place);
+            for (unsigned k = 0; k < 4; ++k) {
+                const double x = k & 1U ? c.x : -c.x, y = k & 2U ? c.y : -c.y;
+                sums[k] += 0.25 * (1.0 + x) * (1.0 + y) * kernel * mesh.patches[patch].area / (steps * steps);
+            }
+        }
+    }
+    return sums;
+}
+
+// A float rounds each of a thousand coefficients by 6e-8 of it.
+constexpr double closed = 3e-6;
+
+TEST(FactorRows, of_constant_elements_are_the_form_factors_of_the_patches) {
+    const Rows rows(sample::computer_room(), 0.5, Elements::constant);
+    const DenseRows expected = *patch_factors(*rows.mesh, rows.nodes.receivers, {2});
+    for (std::size_t k = 0; k < expected.values.size(); ++k) {
+        const double factor = static_cast<double>(expected.values[k]);
+        EXPECT_NEAR(static_cast<double>(rows.values[k]), factor, 1e-4 * factor + 1e-9);
+    }
+}
+
+TEST(FactorRows, of_linear_elements_add_up_to_the_form_factors_and_are_never_below_0) {
+    const Rows rows(sample::computer_room(), 0.9, Elements::linear);
+    const DenseRows expected = *patch_factors(*rows.mesh, rows.nodes.receivers, {2});
+    for (std::size_t i = 0; i < expected.rows; ++i) {
+        for (std::size_t p = 0; p < expected.columns; ++p) {
+            double sum = 0.0;
+            for (std::size_t k = 4 * p; k < 4 * p + 4; ++k) {
+                EXPECT_GE(rows.at(i, k), 0.0);
+                sum += rows.at(i, k);
+            }
+            const auto factor = static_cast<double>(expected.row(i)[p]);
+            EXPECT_NEAR(sum, factor, 1e-4 * factor + 1e-9);
+        }
+    }
+}
+
+TEST(FactorRows, of_a_closed_room_sum_to_1) {
+    for (const Elements elements : {Elements::constant, Elements::linear}) {
+        for (const double max_patch : {1.0, 0.5}) {
+            const Rows rows(sample::box_room(6.0, 4.0, 2.8), max_patch, elements);
+            for (std::size_t k = 0; k < rows.nodes.size(); ++k) EXPECT_NEAR(rows.sum(k), 1.0, closed);
+        }
+    }
+}
+
+TEST(FactorRows, sum_to_1_for_receivers_on_edges_in_corners_and_across_the_horizon) {
+    const Scene scene = sample::box_room(4.0, 3.0, 2.5);
+    std::vector<Receiver> receivers;
+    for (const Vertex& vertex : make_mesh(scene, 0.5)->vertices) receivers.push_back(vertex.receiver);
+    for (const double height : {1e-7, 1e-4, 0.01, 0.8}) {
+        receivers.push_back({{1.0, 1.1, height}, {0.0, 0.0, 1.0}, Vec3{0.0}});
+        receivers.push_back({{1.0, 1.1, height}, {0.0, 0.0, -1.0}, Vec3{0.0}});
+        receivers.push_back({{1.0, 1.1, height}, {0.6, 0.0, 0.8}, Vec3{0.0}});
+        receivers.push_back({{1.0, 1.1, height}, {1.0, 0.0, 0.0}, Vec3{0.0}});
+    }
+    for (const Elements elements : {Elements::constant, Elements::linear}) {
+        const Rows rows(scene, 0.5, elements, receivers);
+        for (std::size_t k = 0; k < receivers.size(); ++k) EXPECT_NEAR(rows.sum(k), 1.0, closed) << "receiver " << k;
+    }
+}
+
+TEST(FactorRows, of_linear_elements_are_the_kernel_integrated_with_the_basis) {
+    const Rows rows(sample::box_room(4.0, 3.0, 2.5), 0.5, Elements::linear);
+    for (std::size_t i = 0; i < rows.nodes.size(); i += 97) {
+        for (std::size_t p = 0; p < rows.mesh->patches.size(); p += 3) {
+            const std::array<double, 4> exact = shares_by_force(*rows.mesh, rows.nodes, p, rows.nodes.receivers[i]);
+            const double factor = exact[0] + exact[1] + exact[2] + exact[3];
+            // next to an edge the middle is kept between the nodes
+            const double apart = glm::length(rows.nodes.receivers[i].position - rows.mesh->patches[p].centre);
+            const double allowed = apart > 1.0 ? 1e-3 : apart > 0.5 ? 5e-3 : 0.1;
+            for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(rows.at(i, 4 * p + k), exact[k], allowed * factor + 1e-9);
+        }
+    }
+}
+
+TEST(FactorRows, a_row_has_the_same_bits_alone_and_beside_others) {
+    const Rows all(sample::computer_room(), 0.9, Elements::linear);
+    for (std::size_t i = 0; i < all.nodes.size(); i += 61) {
+        FactorRows alone(*all.mesh, all.nodes);
+        std::vector<float> row(alone.columns());
+        alone.write(std::span(all.nodes.receivers).subspan(i, 1), row.data());
+        EXPECT_TRUE(
+            std::equal(row.begin(), row.end(), all.values.begin() + static_cast<std::ptrdiff_t>(i * all.columns)));
+    }
+}
+
+TEST(KernelMiddle, of_a_patch_far_away_is_its_centre_and_of_one_touched_the_place_of_touch) {
+    const Polygon square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const PatchFrame frame = frame_of(square, {0, 0, 1}, {1, 0, 0});
+    const KernelMiddle far = kernel_middle(square, frame, {{0.5, 0.5, 100.0}, {0, 0, -1}, Vec3{0.0}});
+    EXPECT_LT(glm::length(far.middle), 1e-9);
+    // a wall's foot at (0.3, 0): half of what it sees is the floor, all of that within no distance
+    const KernelMiddle touching = kernel_middle(square, frame, {{0.3, 0.0, 0.0}, {0, 1, 0}, {0, 0, 1}});
+    EXPECT_NEAR(touching.factor, 0.5, 1e-12);
+    const double smallest_part = std::sqrt(12.0) / 256.0;
+    EXPECT_NEAR(touching.middle.x, -0.2 * std::sqrt(12.0), smallest_part);
+    EXPECT_NEAR(touching.middle.y, -0.5 * std::sqrt(12.0), smallest_part);
+    EXPECT_EQ(kernel_middle(square, frame, {{0.5, 0.5, -1.0}, {0, 0, 1}, Vec3{0.0}}).factor, 0.0);
+}
+
+}  // namespace
+}  // namespace hanei
