@@ -8,12 +8,12 @@
 
 namespace hanei {
 
-void Shadows::start(const Receiver& receiver) {
+void BodyShadows::start(const Receiver& receiver) {
     receiver_ = receiver;
     ++number_;
 }
 
-const Shadows::Shadow& Shadows::of(BodyIndex body) {
+const BodyShadows::Shadow& BodyShadows::of(BodyIndex body) {
     Shadow& shadow = known_[body];
     if (shadow.made_for != number_) {
         shadow.hides = hidden_region(occluders_.shape(body), receiver_.position, receiver_.inward,
@@ -68,7 +68,7 @@ double ShadowCast::slack_of(const HalfSpace& plane) const {
 }
 
 /// Cuts the face down to the shadow, into `loop_`; keeps the planes that took part in it.
-Shaded ShadowCast::region_on(const Shadows::Shadow& shadow, std::vector<HalfSpace>& crossing) {
+Shaded ShadowCast::region_on(const BodyShadows::Shadow& shadow, std::vector<HalfSpace>& crossing) {
     crossing.clear();
     if (shadow.hides == Hides::everything) return Shaded::everything;
     if (shadow.hides == Hides::nothing) return Shaded::nothing;

@@ -12,7 +12,7 @@
 namespace hanei {
 
 /// What each body hides from one receiver, worked out when first asked.
-class Shadows {
+class BodyShadows {
 public:
     struct Shadow {
         Hides hides = Hides::nothing;
@@ -20,7 +20,7 @@ public:
         std::size_t made_for = 0;
     };
 
-    explicit Shadows(const OccluderSet& occluders) : occluders_(occluders), known_(occluders.bodies().size()) {}
+    explicit BodyShadows(const OccluderSet& occluders) : occluders_(occluders), known_(occluders.bodies().size()) {}
     void start(const Receiver& receiver);
     const Shadow& of(BodyIndex body);
 
@@ -51,7 +51,7 @@ public:
     void write(const FaceLayout& layout, std::span<const BodyIndex> bodies, float* row);
 
 private:
-    Shaded region_on(const Shadows::Shadow& shadow, std::vector<HalfSpace>& crossing);
+    Shaded region_on(const BodyShadows::Shadow& shadow, std::vector<HalfSpace>& crossing);
     void mark_patches(const FaceLayout& layout, std::uint32_t cast);
     void mark_patch(std::uint32_t patch, const Polygon& outline, std::uint32_t cast);
     double slack_of(const HalfSpace& plane) const;
@@ -60,7 +60,7 @@ private:
     double factor_of(std::span<const Vec3> loop);
 
     const Mesh& mesh_;
-    Shadows shadows_;
+    BodyShadows shadows_;
     Receiver receiver_;
     double farthest_ = 0.0;
     std::vector<Vec3> corners_;                  // of the face, seen from the receiver
