@@ -12,13 +12,13 @@ namespace {
 // so that each way of compiling it gives the same bits.
 #define HANEI_INLINE [[gnu::always_inline]] inline
 
-using Floats = float __attribute__((vector_size(16)));
-using Words = std::uint32_t __attribute__((vector_size(16)));
-using Shorts = std::uint16_t __attribute__((vector_size(8)));
-using Bytes = std::uint8_t __attribute__((vector_size(4)));
+using Floats = float __attribute__((vector_size(32)));
+using Words = std::uint32_t __attribute__((vector_size(32)));
+using Shorts = std::uint16_t __attribute__((vector_size(16)));
+using Bytes = std::uint8_t __attribute__((vector_size(8)));
 using Doubles = double __attribute__((vector_size(32)));
 
-constexpr std::size_t lanes = 4;
+constexpr std::size_t lanes = 8;
 constexpr std::size_t most_sides = 4;  // at once
 
 template <class Vector>
@@ -26,69 +26,85 @@ HANEI_INLINE void load(const void* from, Vector& to) {
     std::memcpy(&to, from, sizeof to);
 }
 
-/// How four coefficients come out of a format. A code of 16 bits, moved to a float's upper bits, is a
+/// Eight numbers in two halves.
+struct Halves {
+    Doubles low, high;
+};
+
+HANEI_INLINE void widen(const Floats& from, Halves& to) {
+    to.low = __builtin_convertvector(__builtin_shufflevector(from, from, 0, 1, 2, 3), Doubles);
+    to.high = __builtin_convertvector(__builtin_shufflevector(from, from, 4, 5, 6, 7), Doubles);
+}
+
+/// How eight coefficients come out of a format. A code of 16 bits, moved to a float's upper bits, is a
 /// number far below 1 that is normal or 0; times a share of 0 to 255 it is exact. The row's scale makes
 /// up for both.
 template <RowFormat format, std::size_t columns_a_share, BlockKind kind>
-struct Four;
+struct Eight;
 
 template <std::size_t columns_a_share, BlockKind kind>
-struct Four<RowFormat::exact, columns_a_share, kind> {
-    HANEI_INLINE static void read(const std::byte* factors, const std::byte* shares, std::size_t at, Doubles& to) {
+struct Eight<RowFormat::exact, columns_a_share, kind> {
+    HANEI_INLINE static void read(const std::byte* factors, const std::byte* shares, std::size_t at, Halves& to) {
         Floats factor;
         load(factors + at * sizeof(float), factor);
-        to = __builtin_convertvector(factor, Doubles);
+        widen(factor, to);
         if constexpr (kind == BlockKind::veiled && columns_a_share == 1) {
             Floats share;
+            Halves wide;
             load(shares + at * sizeof(float), share);
-            to *= __builtin_convertvector(share, Doubles);
+            widen(share, wide);
+            to.low *= wide.low;
+            to.high *= wide.high;
         } else if constexpr (kind == BlockKind::veiled) {
-            float share;
-            load(shares + at / lanes * sizeof(float), share);
-            to *= static_cast<double>(share);
+            float share[2];
+            load(shares + at / 4 * sizeof(float), share);
+            to.low *= static_cast<double>(share[0]);
+            to.high *= static_cast<double>(share[1]);
         }
     }
 };
 
 template <std::size_t columns_a_share, BlockKind kind>
-struct Four<RowFormat::compact, columns_a_share, kind> {
-    HANEI_INLINE static void read(const std::byte* factors, const std::byte* shares, std::size_t at, Doubles& to) {
+struct Eight<RowFormat::compact, columns_a_share, kind> {
+    HANEI_INLINE static void read(const std::byte* factors, const std::byte* shares, std::size_t at, Halves& to) {
         Shorts code;
         load(factors + at * sizeof(std::uint16_t), code);
         const Words bits = __builtin_convertvector(code, Words) << 12U;
-        Floats factor;
-        load(&bits, factor);
+        Floats factor = reinterpret_cast<Floats>(bits);
         if constexpr (kind == BlockKind::veiled && columns_a_share == 1) {
+            using Signed = std::int32_t __attribute__((vector_size(32)));  // which vector units turn into floats
             Bytes share;
             load(shares + at, share);
-            factor *= __builtin_convertvector(__builtin_convertvector(share, Words), Floats);
+            factor *= __builtin_convertvector(__builtin_convertvector(share, Signed), Floats);
         } else if constexpr (kind == BlockKind::veiled) {
-            factor *= static_cast<float>(std::to_integer<std::uint8_t>(shares[at / lanes]));
+            const auto low = static_cast<float>(std::to_integer<int>(shares[at / 4]));
+            const auto high = static_cast<float>(std::to_integer<int>(shares[at / 4 + 1]));
+            factor *= Floats{low, low, low, low, high, high, high, high};
         } else {
             factor *= 255.0F;
         }
-        to = __builtin_convertvector(factor, Doubles);
+        widen(factor, to);
     }
 };
 
 template <std::size_t sides>
 struct Sums {
-    Doubles even[sides]{}, odd[sides]{};
+    Doubles low[sides]{}, high[sides]{};
 };
 
 template <RowFormat format, std::size_t columns_a_share, BlockKind kind, std::size_t sides>
 HANEI_INLINE void add_block(const std::byte* factors, const std::byte* shares, const double* const* leaving,
                             std::size_t column, Sums<sides>& sums) {
     Sums<sides> now = sums;
-    for (std::size_t j = 0; j < TileShape::block; j += 2 * lanes) {
-        Doubles even, odd, number;
-        Four<format, columns_a_share, kind>::read(factors, shares, j, even);
-        Four<format, columns_a_share, kind>::read(factors, shares, j + lanes, odd);
+    for (std::size_t j = 0; j < TileShape::block; j += lanes) {
+        Halves coefficients;
+        Doubles low, high;
+        Eight<format, columns_a_share, kind>::read(factors, shares, j, coefficients);
         for (std::size_t s = 0; s < sides; ++s) {
-            load(leaving[s] + column + j, number);
-            now.even[s] += even * number;
-            load(leaving[s] + column + j + lanes, number);
-            now.odd[s] += odd * number;
+            load(leaving[s] + column + j, low);
+            load(leaving[s] + column + j + lanes / 2, high);
+            now.low[s] += coefficients.low * low;
+            now.high[s] += coefficients.high * high;
         }
     }
     sums = now;
@@ -128,7 +144,7 @@ HANEI_INLINE void run(const Job& job) {
         double scale;
         load(job.factors + row * sizeof(double), scale);
         for (std::size_t s = 0; s < sides; ++s) {
-            const Doubles sum = sums[row].even[s] + sums[row].odd[s];
+            const Doubles sum = sums[row].low[s] + sums[row].high[s];
             job.arriving[row * job.stride + s] = scale * ((sum[0] + sum[2]) + (sum[1] + sum[3]));
         }
     }

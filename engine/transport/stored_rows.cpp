@@ -42,22 +42,22 @@ public:
         const bool hidden = at.write(first, first + count, at.factors.data(), at.shares.data());
         store_factors(shape, count, at.factors.data(), at.tile.factors);
         store_shares(shape, count, at.tile.factors, hidden ? at.shares.data() : nullptr, at.tile.shares);
-        put(number, at.tile);
+        put(number, std::move(at.tile.factors), at.tile.shares);
     }
 
 private:
-    void put(std::size_t number, const StoredTile& tile) {
+    void put(std::size_t number, Lines factors, const Lines& shares) {
         Place& place = rows_.places_[number];
-        place.share_bytes = tile.shares.size();
-        const std::size_t size = tile.factors.size() + tile.shares.size();
+        place.share_bytes = shares.size();
+        const std::size_t size = factors.size() + shares.size();
         place.on_disk = used_.fetch_add(size) + size > storage_.memory;
         if (!place.on_disk) {
-            place.tile = tile;
+            place.tile = {std::move(factors), shares};  // a copy is no longer than need be
             return;
         }
         used_ -= size;
-        file().write(number * rows_.slot_bytes(), tile.factors.all());
-        file().write(number * rows_.slot_bytes() + tile.factors.size(), tile.shares.all());
+        file().write(number * rows_.slot_bytes(), factors.all());
+        file().write(number * rows_.slot_bytes() + factors.size(), shares.all());
     }
 
     SpillFile& file() {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace hanei {
 
@@ -13,28 +14,44 @@ namespace {
 
 constexpr std::size_t block = TileShape::block;
 
-/// A positive number in 16 bits, five of them its exponent: a float's upper bits after multiplication
-/// with a power of two that puts the row's greatest in the topmost binade but one.
+constexpr int mantissa_bits = 23, dropped_bits = 12;
+
+/// Positive numbers in 16 bits, five of them the exponent: a float's upper bits after multiplication
+/// with a power of two that puts the row's greatest in the topmost binade but one (it may round up).
 class Codes {
 public:
-    explicit Codes(float greatest) : shift_(greatest > 0.0F ? top - std::ilogb(greatest) : 0) {}
+    /// `greatest`: bits of the row's greatest. Rows of nothing above 1e-29 are not moved.
+    explicit Codes(std::int32_t greatest) : shift_(std::max(0, (greatest >> mantissa_bits) - top)) {}
 
     /// What the codes, read as floats (see row_product.cpp), are to be multiplied with.
-    double scale() const { return std::ldexp(1.0, -shift_); }
+    double scale() const { return std::ldexp(1.0, shift_); }
 
     std::uint16_t of(float value) const {
-        constexpr std::uint32_t dropped_bits = 12, smallest = 1U << 11U;
-        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(std::ldexp(double{value}, shift_)));
-        const std::uint32_t even = (bits >> dropped_bits) & 1U;
-        const std::uint32_t code = (bits + 0x7FFU + even) >> dropped_bits;
-        if (code >= smallest) return static_cast<std::uint16_t>(code);
-        return code > smallest / 2 ? smallest : 0;  // below 1e-9 of the row's greatest
+        constexpr std::int32_t half = (1 << (dropped_bits - 1)) - 1;
+        const std::int32_t bits = std::bit_cast<std::int32_t>(value) - (shift_ << mantissa_bits);
+        const std::int32_t even = (bits >> dropped_bits) & 1;
+        const std::int32_t code = (bits + half + even) >> dropped_bits;
+        return static_cast<std::uint16_t>(bits < (1 << mantissa_bits) ? 0 : code);  // below 1e-9 of the greatest: 0
     }
 
 private:
-    static constexpr int top = 30 - 127;
+    static constexpr int top = 30;
     int shift_;
 };
+
+/// Bits of the greatest of numbers none of which may be negative, infinite or no number.
+std::int32_t greatest_of(std::span<const float> values) {
+    constexpr std::int32_t infinite = 0x7F800000, minus_zero = std::numeric_limits<std::int32_t>::min();
+    std::int32_t greatest = 0, negative = 0;
+    for (const float value : values) {
+        const auto bits = std::bit_cast<std::int32_t>(value);
+        const std::int32_t sound = bits == minus_zero ? 0 : bits;
+        greatest = std::max(greatest, sound);
+        negative |= sound;
+    }
+    HANEI_CHECK(negative >= 0 && greatest < infinite);
+    return greatest;
+}
 
 template <class Code>
 class Written {
@@ -57,42 +74,64 @@ void write_rows(const TileShape& shape, std::size_t count, const float* factors,
     std::vector<Code> codes(shape.columns);
     Written<Code> written(shape, stored.data() + shape.factors_at());
     for (std::size_t row = 0; row < count; ++row) {
-        const std::span values(factors + row * shape.columns, shape.columns);
-        float greatest = 0.0F;
-        bool sound = true;
-        for (const float value : values) {
-            sound = sound && value >= 0.0F;
-            greatest = std::max(greatest, value);
-        }
-        HANEI_CHECK(sound && std::isfinite(greatest));
-        const double scale = encode(values, greatest, codes.data());
+        const double scale = encode(std::span(factors + row * shape.columns, shape.columns), codes.data());
         std::memcpy(stored.data() + row * sizeof(double), &scale, sizeof scale);
         written.row(row, codes.data());
     }
 }
 
-/// True where some factor of the share's columns is stored as more than 0.
-template <class Code>
-void mark_used(const TileShape& shape, const Lines& factors, std::size_t number, std::array<bool, block>& used) {
-    std::array<Code, block> codes;
-    std::memcpy(codes.data(), factors.data() + shape.factors_at() + number * sizeof codes, sizeof codes);
-    const std::size_t each = shape.columns_a_share;
-    for (std::size_t k = 0; k < shape.shares_a_block(); ++k) {
-        used[k] = std::any_of(&codes[k * each], &codes[k * each] + each, [](Code code) { return code != Code{}; });
-    }
-}
-
-float share_code(float share, float /*kind*/) { return std::clamp(share, 0.0F, 1.0F); }
+float share_code(float share, float /*kind*/) { return std::min(std::max(share, 0.0F), 1.0F); }
 std::uint8_t share_code(float share, std::uint8_t /*kind*/) {
-    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+    return static_cast<std::uint8_t>(static_cast<int>(255.0F * std::min(std::max(share, 0.0F), 1.0F) + 0.5F));
 }
 float share_of(float code) { return code; }
 float share_of(std::uint8_t code) { return static_cast<float>(code) / 255.0F; }
 
+/// One block of one row: what of it is seen.
+template <class Factor, class Share>
+class Block {
+public:
+    Block(const TileShape& shape, const std::byte* factors) : each_(shape.columns_a_share) {
+        std::memcpy(factors_.data(), factors, sizeof factors_);
+    }
+
+    /// Its kind, and the codes of its shares where it is veiled.
+    BlockKind of(const float* shares, std::size_t count) {
+        bool any = false;
+        for (const Factor factor : factors_) any |= factor != Factor{};
+        if (!any) return BlockKind::dark;
+        if (!shares || std::all_of(shares, shares + count, [](float share) { return share == 1.0F; })) {
+            return BlockKind::clear;
+        }
+        if (std::all_of(shares, shares + count, [](float share) { return share == 0.0F; })) return BlockKind::dark;
+        return mixed(shares, count);
+    }
+    const Share* codes() const { return codes_.data(); }
+
+private:
+    BlockKind mixed(const float* shares, std::size_t count) {
+        const Share whole = share_code(1.0F, Share{});
+        bool dark = true, clear = true;
+        codes_ = {};
+        for (std::size_t k = 0; k < count; ++k) {
+            bool used = false;
+            for (std::size_t j = k * each_; j < (k + 1) * each_; ++j) used |= factors_[j] != Factor{};
+            const Share code = used ? share_code(shares[k], Share{}) : Share{};
+            codes_[k] = code;
+            dark &= code == Share{};
+            clear &= !used || code == whole;
+        }
+        return dark ? BlockKind::dark : clear ? BlockKind::clear : BlockKind::veiled;
+    }
+
+    std::size_t each_;
+    std::array<Factor, block> factors_;
+    std::array<Share, block> codes_{};
+};
+
 template <class Factor, class Share>
 void store_shares_as(const TileShape& shape, std::size_t count, const Lines& factors, const float* shares,
                      Lines& stored) {
-    const Share whole = share_code(1.0F, Share{});
     const std::size_t each = shape.shares_a_block();
     stored.resize(shape.most_share_bytes());
     std::size_t end = shape.shares_at();
@@ -100,21 +139,14 @@ void store_shares_as(const TileShape& shape, std::size_t count, const Lines& fac
         const std::size_t first = b * each, columns = std::min(each, shape.share_columns() - first);
         for (std::size_t row = 0; row < TileShape::rows; ++row) {
             const std::size_t number = b * TileShape::rows + row;
-            std::array<bool, block> used{};
-            std::array<Share, block> codes{};
-            if (row < count) mark_used<Factor>(shape, factors, number, used);
-            bool dark = true, clear = true;
-            for (std::size_t k = 0; k < columns; ++k) {
-                if (!used[k]) continue;
-                codes[k] = shares ? share_code(shares[row * shape.share_columns() + first + k], Share{}) : whole;
-                dark = dark && codes[k] == Share{};
-                clear = clear && codes[k] == whole;
-            }
-            stored.data()[number] = static_cast<std::byte>(dark    ? BlockKind::dark
-                                                           : clear ? BlockKind::clear
-                                                                   : BlockKind::veiled);
-            if (dark || clear) continue;
-            std::memcpy(stored.data() + end, codes.data(), each * sizeof(Share));
+            std::byte& kind = stored.data()[number];
+            kind = static_cast<std::byte>(BlockKind::dark);
+            if (row >= count) continue;
+            Block<Factor, Share> seen(shape, factors.data() + shape.factors_at() + number * block * sizeof(Factor));
+            kind = static_cast<std::byte>(
+                seen.of(shares ? shares + row * shape.share_columns() + first : nullptr, columns));
+            if (kind != static_cast<std::byte>(BlockKind::veiled)) continue;
+            std::memcpy(stored.data() + end, seen.codes(), each * sizeof(Share));
             end += each * sizeof(Share);
         }
     }
@@ -146,18 +178,18 @@ void store_factors(const TileShape& shape, std::size_t count, const float* facto
     stored = {};
     stored.resize(shape.factor_bytes());
     if (shape.format == RowFormat::exact) {
-        write_rows<float>(shape, count, factors, stored, [](std::span<const float> values, float, float* codes) {
+        write_rows<float>(shape, count, factors, stored, [](std::span<const float> values, float* codes) {
+            greatest_of(values);
             std::ranges::copy(values, codes);
             return 1.0;
         });
         return;
     }
-    write_rows<std::uint16_t>(shape, count, factors, stored,
-                              [](std::span<const float> values, float greatest, std::uint16_t* codes) {
-                                  const Codes code(greatest);
-                                  std::ranges::transform(values, codes, [&](float value) { return code.of(value); });
-                                  return code.scale() / 255.0;
-                              });
+    write_rows<std::uint16_t>(shape, count, factors, stored, [](std::span<const float> values, std::uint16_t* codes) {
+        const Codes code(greatest_of(values));
+        for (std::size_t k = 0; k < values.size(); ++k) codes[k] = code.of(values[k]);
+        return code.scale() / 255.0;
+    });
 }
 
 void store_shares(const TileShape& shape, std::size_t count, const Lines& factors, const float* shares, Lines& stored) {
