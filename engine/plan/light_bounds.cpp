@@ -1,6 +1,7 @@
 #include "engine/plan/light_bounds.h"
 
 #include "engine/geometry/polygon.h"
+#include "engine/scene/colour.h"
 #include "engine/scene/intensity.h"
 #include "engine/scene/placement.h"
 
@@ -183,7 +184,8 @@ LightBounds light_bounds(const Scene& scene, std::span<const Face> faces) {
     }
     const auto include = [&](ObjectId id) {
         if (const Material* material = find_material(scene, id)) {
-            bounds.reflectance = std::max(bounds.reflectance, material->reflectance);
+            for (const double band : band_reflectances(*material))
+                bounds.reflectance = std::max(bounds.reflectance, band);
         }
     };
     for (const Face& face : faces) {

@@ -12,7 +12,7 @@ struct LightBounds {
     double flux = 0.0;               ///< lm, of all luminaires, dimmed and maintained
     double direct = 0.0;             ///< lx straight from luminaires on any surface
     double own_exitance = 0.0;       ///< lm/m2, the greatest of any surface
-    double reflectance = 0.0;        ///< the greatest of any face or sub-area
+    double reflectance = 0.0;        ///< the greatest of any face or sub-area, in any colour band
     int luminaires = 0;              ///< that give light
     int luminaires_with_extent = 0;  ///< of these, those that are no points
 

@@ -1,6 +1,7 @@
 #include "engine/plan/plan.h"
 
 #include "engine/base/check.h"
+#include "engine/plan/colour_reason.h"
 #include "engine/plan/cost_model.h"
 #include "engine/plan/light_bounds.h"
 #include "engine/plan/measured_openings.h"
@@ -35,7 +36,7 @@ public:
     EffectsPlan plan() const {
         const PlannedEffect between = interreflection();
         return {{direct_shadows(), penumbra(), between, patch_shadows(between.state), bounces(between.state),
-                 opening_size()}};
+                 opening_size(), colour(between.state)}};
     }
 
 private:
@@ -148,6 +149,14 @@ private:
         return row(Effect::opening_size, EffectState::simulated, openings.why, cost_.direct_ms());
     }
 
+    PlannedEffect colour(EffectState between) const {
+        const ColourReason reason = colour_reason(scene_);
+        if (!reason.coloured) return absent(Effect::colour_bands, reason.why);
+        // Of the three bands' products the first is that of interreflection itself.
+        return row(Effect::colour_bands, EffectState::simulated, reason.why,
+                   between == EffectState::simulated ? 2.0 * cost_.bounces_ms(bounces_needed()) : 0.0);
+    }
+
     static constexpr const char* unobstructed =
         "Nothing can stand in the way: no furniture, and everything lies on the front of every surface.";
 
@@ -192,6 +201,8 @@ std::string_view name_of(Effect effect) {
             return "bounces";
         case Effect::opening_size:
             return "size of openings";
+        case Effect::colour_bands:
+            return "colour bands";
     }
     return "";
 }

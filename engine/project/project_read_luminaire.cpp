@@ -94,6 +94,7 @@ void read_luminaires(SceneReader& reader, Fields& root) {
         }
         luminaire.output = output_of(fields);
         fields.optional("dimming", luminaire.dimming);
+        fields.optional("colour_temperature_k", luminaire.colour_temperature);
         fields.optional("opaque", luminaire.opaque);
         fields.optional("group", luminaire.group);
         luminaire.unknown = unknown_of(fields, std::move(kept));

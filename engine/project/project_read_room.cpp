@@ -62,6 +62,7 @@ void read_materials(SceneReader& reader, Fields& root) {
         material.id = reader.take_id(fields);
         fields.require("name", material.name, "a text");
         fields.require("reflectance", material.reflectance, "a number from 0 to 1");
+        fields.optional("tint", material.tint);
         material.unknown = fields.unknown();
         reader.scene.materials.push_back(std::move(material));
     });

@@ -80,6 +80,7 @@ JsonValue json_of(const Material& material) {
     JsonValue object = json_object(material.id, {});
     object.add("name", json_text(material.name));
     object.add("reflectance", json_number(material.reflectance));
+    if (material.tint != Vec3(1.0)) object.add("tint", json_of(material.tint));
     add_unknown(object, material.unknown);
     return object;
 }

@@ -125,6 +125,8 @@ JsonValue json_of(const Luminaire& luminaire, const References& photometries) {
     add_distribution(object, luminaire.distribution, photometries);
     add_output(object, luminaire.output);
     if (luminaire.dimming != 1.0) object.add("dimming", json_number(luminaire.dimming));
+    if (luminaire.colour_temperature != 0.0)
+        object.add("colour_temperature_k", json_number(luminaire.colour_temperature));
     if (luminaire.opaque) object.add("opaque", json_boolean(true));
     if (!luminaire.group.empty()) object.add("group", json_text(luminaire.group));
     add_unknown(object, luminaire.unknown);

@@ -55,6 +55,23 @@ TEST(ProjectFaults, missing_fields_are_told_with_what_is_expected) {
         "\"as_measured\": true\n");
 }
 
+TEST(ProjectFaults, a_colour_that_cannot_be_is_told_with_its_line_and_what_could) {
+    EXPECT_EQ(
+        findings_of(project_of("\"materials\": [{\"name\": \"a\", \"reflectance\": 0.5, \"tint\": \"red\"},\n"
+                               "{\"name\": \"b\", \"reflectance\": 0.5,\n\"tint\": [2, 1, 1]},\n"
+                               "{\"name\": \"c\", \"reflectance\": 0.5,\n\"tint\": [3, 0.5, 0.064]}]")),
+        "room.hanei:2: materials[0].tint: found \"red\", expected three numbers [x, y, z]\n"
+        "room.hanei:4: materials[1].tint: material \"b\": found 2, 1, 1 of luminance 1.2126, allowed is a luminance "
+        "of 1 (0.2126 red + 0.7152 green + 0.0722 blue); write 1.64935, 0.824674, 0.824674\n"
+        "room.hanei:6: materials[2].tint: material \"c\": found 3, 0.5, 0.064: with a reflectance of 0.5 a band "
+        "would reflect 1.5, allowed is 1 at most; lower the reflectance to 0.333333 or choose a paler colour\n");
+    EXPECT_EQ(
+        findings_of(project_of("\"luminaires\": [{\"name\": \"a\", \"position\": [0, 0, 0], \"opening\": {\"kind\": "
+                               "\"point\"}, \"flux_lm\": 1,\n\"colour_temperature_k\": 27}]")),
+        "room.hanei:3: luminaires[0].colour_temperature_k: luminaire \"a\": found 27 K, allowed are 0 (neutral) and "
+        "1000 to 25000 K\n");
+}
+
 TEST(ProjectFaults, a_luminaire_with_two_outputs_is_refused) {
     EXPECT_EQ(
         findings_of(project_of("\"luminaires\": [{\"position\": [0, 0, 0], \"opening\": {\"kind\": \"point\"}, "

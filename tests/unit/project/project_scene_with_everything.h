@@ -39,7 +39,7 @@ inline void add_furniture_of_every_kind(Scene& scene) {
     Furniture desk{scene.new_id(), "desk", {1, 2, 0}, 0.3, {}, R"({"maker": "none"})"};
     desk.parts.push_back({BoxShape{{1.6, 0.8, 0.03}}, {0, 0, 0.71}, 0.0, wood, R"({"grain": "along"})"});
     const SolidShape wedge{{{0, 0, 0}, {0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}},
-                            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+                           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
     desk.parts.push_back({wedge, {0, 0, 0}, -1.0, wood, {}});
     scene.furniture.push_back(desk);
     const Polygon hole{{2.2, 1, 1.2}, {2.2, 1, 1.4}, {2.4, 1, 1.4}};
@@ -65,6 +65,7 @@ inline void add_luminaires_of_every_kind(Scene& scene) {
     first.tilt = 0.1;
     first.roll = -3.0;
     first.dimming = 0.7;
+    first.colour_temperature = 8000.0 / 3.0;
     first.opaque = true;
     first.group = "row 1";
     first.unknown = R"({"serial": 12345678901234567890, "opening": {"glass": "opal"}})";
@@ -87,6 +88,7 @@ inline Project project_with_everything() {
     scene.materials.push_back({scene.new_id(), "wood", 1.0 / 3.0, R"({"gloss": 0.1})"});
     scene.materials.push_back({scene.new_id(), "twin", 0.5, {}});
     scene.materials.push_back({scene.new_id(), "twin", 0.6, {}});
+    scene.materials[0].tint = {1.6, 0.9, 0.67 / 3.0};  // of luminance 0.99996
     const ObjectId twin = scene.materials[2].id;
     Room room;
     room.id = scene.new_id();
