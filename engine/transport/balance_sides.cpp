@@ -1,14 +1,37 @@
 #include "engine/base/check.h"
 #include "engine/transport/balance.h"
-#include "engine/transport/series.h"
+#include "engine/transport/side_on_its_way.h"
 
 #include <algorithm>
+#include <list>
 
 namespace hanei {
 
 namespace {
 
-constexpr double rounding = 1e-13;  // of a sum over some thousand unknowns and some hundred reflections
+// Who allows no more than these wants bounces, not the solution: the paper's figures have four.
+constexpr int most_counted_bounces = 20;
+
+using Columns = std::vector<std::span<const double>>;
+using Products = std::vector<std::vector<double>>;
+
+/// Products of several columns in one pass; empty when stopped.
+std::optional<Products> exchanged(const Exchange& exchange, std::size_t unknowns, const Columns& columns,
+                                  const Work& work) {
+    if (work.stop.stop_requested()) return std::nullopt;
+    const std::size_t sides = columns.size();
+    std::vector<double> leaving(unknowns * sides), arriving(unknowns * sides);
+    for (std::size_t s = 0; s < sides; ++s) {
+        for (std::size_t k = 0; k < unknowns; ++k) leaving[k * sides + s] = columns[s][k];
+    }
+    if (!exchange(leaving, arriving, sides)) return std::nullopt;
+    Products products(sides);
+    for (std::size_t s = 0; s < sides; ++s) {
+        products[s].reserve(unknowns);
+        for (std::size_t k = 0; k < unknowns; ++k) products[s].push_back(arriving[k * sides + s]);
+    }
+    return products;
+}
 
 double greatest(std::span<const double> values) {
     double found = 0.0;
@@ -16,79 +39,104 @@ double greatest(std::span<const double> values) {
     return found;
 }
 
-/// One side's series summed so far.
-class SideSeries {
+/// What sides of the same reflectance share.
+struct Band {
+    std::span<const double> reflectance;
+    RowSums rows;
+    std::optional<Comparison> comparison;
+};
+
+bool same(std::span<const double> a, std::span<const double> b) {
+    return a.data() == b.data() || std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+/// The sides of one balance, and how often the rows were read for them.
+class Sides {
 public:
-    explicit SideSeries(const LightSide& side) : side_(side), sum_(side.direct.size(), 0.0) {
-        leaving_.reserve(sum_.size());
-        for (std::size_t k = 0; k < sum_.size(); ++k)
-            leaving_.push_back(side.own_exitance[k] + side.reflectance[k] * side.direct[k]);
-    }
-
-    std::span<const double> leaving() const { return leaving_; }
-    RowSums& rows() { return rows_; }
-
-    void arrive(std::vector<double> arriving) {
-        before_ = std::move(last_);
-        last_ = std::move(arriving);
-        for (std::size_t k = 0; k < sum_.size(); ++k) {
-            sum_[k] += last_[k];
-            leaving_[k] = side_.reflectance[k] * last_[k];
+    Sides(const Exchange& exchange, std::size_t unknowns, std::span<const LightSide> sides, const BalanceLimits& limits)
+        : exchange_(exchange), unknowns_(unknowns), sides_(sides), limits_(limits) {
+        for (const LightSide& side : sides) {
+            const auto known = std::find_if(bands_.begin(), bands_.end(),
+                                            [&](const Band& band) { return same(band.reflectance, side.reflectance); });
+            band_of_.push_back(known != bands_.end() ? &*known : &bands_.emplace_back(Band{side.reflectance, {}, {}}));
         }
-        ++bounces_;
     }
 
-    Balance state(const BalanceLimits& limits, bool& ends) const {
-        TailBounds tail = tail_by_row_sums(rows_, greatest(leaving_));
-        if (bounces_ >= 2) tail.narrow(ratios_of(last_, before_), last_);
-        Balance result;
-        result.bounces = bounces_;
-        result.greatest_row_sum = rows_.greatest;
-        double total = 0.0;
-        for (std::size_t k = 0; k < sum_.size(); ++k) total = std::max(total, side_.direct[k] + sum_[k] + tail.low(k));
-        result.converged = tail.greatest_half_width() <= limits.accuracy * total;
-        const double last = greatest(bounces_ == 0 ? leaving_ : last_);
-        ends = result.converged || bounces_ >= limits.bounces || tail.diverges() || last > too_large;
-        write(tail, result.converged || (!ends && tail.is_bracket()), result);
-        return result;
+    /// The first product: row sums, and the light of every side that has any.
+    bool begin(const Work& work);
+
+    /// One product more for the sides that are not done. False when stopped.
+    bool go_on(const Work& work);
+
+    bool ended() const {
+        return std::all_of(on_their_way_.begin(), on_their_way_.end(), [](const auto& side) { return side->ended(); });
+    }
+
+    std::vector<Balance> states() const {
+        std::vector<Balance> states;
+        for (std::size_t s = 0; s < sides_.size(); ++s) {
+            states.push_back(on_their_way_[s]->state());
+            states.back().products = products_[s];
+        }
+        return states;
     }
 
 private:
-    void write(const TailBounds& tail, bool with_tail, Balance& result) const {
-        for (std::size_t k = 0; k < sum_.size(); ++k) {
-            const double low = tail.low(k);
-            const double high = tail.high(k);
-            const double arriving = sum_[k] + (with_tail ? 0.5 * (low + high) : 0.0);
-            const double exitance = side_.own_exitance[k] + side_.reflectance[k] * (side_.direct[k] + arriving);
-            const double width = with_tail ? 0.5 * (high - low) : high;
-            result.interreflected.push_back(arriving);
-            result.exitance.push_back(exitance);
-            result.exitance_half_width.push_back(
-                std::min(unbounded, side_.reflectance[k] * width + rounding * exitance));
-        }
+    std::unique_ptr<SideOnItsWay> start(const LightSide& side, const Band& band) const {
+        if (band.comparison->dies_out() && limits_.bounces > most_counted_bounces)
+            return std::make_unique<SideSolved>(side, band.rows, *band.comparison, limits_);
+        return std::make_unique<SideInSeries>(side, band.rows, limits_);
     }
 
-    LightSide side_;
-    RowSums rows_;
-    std::vector<double> last_, before_, sum_, leaving_;
-    int bounces_ = 0;
+    const Exchange& exchange_;
+    std::size_t unknowns_;
+    std::span<const LightSide> sides_;
+    BalanceLimits limits_;
+    std::list<Band> bands_;  // places that stay
+    std::vector<const Band*> band_of_;
+    std::vector<std::unique_ptr<SideOnItsWay>> on_their_way_;
+    std::vector<int> products_;
 };
 
-/// Products of several columns at once.
-std::optional<std::vector<std::vector<double>>> exchanged(const Exchange& exchange, std::size_t unknowns,
-                                                          const std::vector<std::span<const double>>& columns) {
-    const std::size_t sides = columns.size();
-    std::vector<double> leaving(unknowns * sides), arriving(unknowns * sides);
-    for (std::size_t s = 0; s < sides; ++s) {
-        for (std::size_t k = 0; k < unknowns; ++k) leaving[k * sides + s] = columns[s][k];
+bool Sides::begin(const Work& work) {
+    const std::vector<double> ones(unknowns_, 1.0);
+    Columns columns = {ones};
+    for (const Band& band : bands_) columns.push_back(band.reflectance);
+    std::vector<std::vector<double>> sent;
+    for (const LightSide& side : sides_) sent.push_back(first_sent_by(side));
+    columns.insert(columns.end(), sent.begin(), sent.end());
+    auto products = exchanged(exchange_, unknowns_, columns, work);
+    if (!products) return false;
+    auto product = products->begin();
+    const std::vector<double> plain = std::move(*product++);
+    for (Band& band : bands_) {
+        band.rows = {plain, std::move(*product++), greatest(plain), 0.0};
+        band.rows.greatest = greatest(band.rows.reflecting);
+        band.comparison.emplace(band.reflectance, band.rows.plain, band.rows.reflecting);
     }
-    if (!exchange(leaving, arriving, sides)) return std::nullopt;
-    std::vector<std::vector<double>> result(sides);
-    for (std::size_t s = 0; s < sides; ++s) {
-        result[s].reserve(unknowns);
-        for (std::size_t k = 0; k < unknowns; ++k) result[s].push_back(arriving[k * sides + s]);
+    for (std::size_t s = 0; s < sides_.size(); ++s, ++product) {
+        on_their_way_.push_back(start(sides_[s], *band_of_[s]));
+        SideOnItsWay& side = *on_their_way_.back();
+        if (!side.ended() && same(side.leaving(), sent[s])) side.arrive(*product);
     }
-    return result;
+    products_.assign(sides_.size(), 1);
+    return true;
+}
+
+bool Sides::go_on(const Work& work) {
+    Columns columns;
+    for (const auto& side : on_their_way_) {
+        if (!side->ended()) columns.push_back(side->leaving());
+    }
+    const auto products = exchanged(exchange_, unknowns_, columns, work);
+    if (!products) return false;
+    auto product = products->begin();
+    for (std::size_t s = 0; s < sides_.size(); ++s) {
+        if (on_their_way_[s]->ended()) continue;
+        on_their_way_[s]->arrive(*product++);
+        ++products_[s];
+    }
+    return true;
 }
 
 }  // namespace
@@ -104,46 +152,20 @@ std::optional<std::vector<Balance>> balance(const Exchange& exchange, std::size_
                                             std::span<const LightSide> sides, const BalanceLimits& limits,
                                             const Work& work,
                                             const std::function<bool(std::span<const Balance>)>& on_bounce) {
-    std::vector<SideSeries> series;
-    std::vector<double> ones(unknowns, 1.0);
-    std::vector<std::span<const double>> columns = {ones};
     for (const LightSide& side : sides) {
         HANEI_CHECK(side.reflectance.size() == unknowns && side.direct.size() == unknowns);
         HANEI_CHECK(side.own_exitance.size() == unknowns);
         HANEI_CHECK(side.guess.empty() || side.guess.size() == unknowns);
-        series.emplace_back(side);
-        columns.push_back(side.reflectance);
+        HANEI_CHECK(side.guess_arriving.empty() || side.guess_arriving.size() == side.guess.size());
     }
-    int products = 1;
-    const auto sums = exchanged(exchange, unknowns, columns);
-    if (!sums) return std::nullopt;
-    for (std::size_t s = 0; s < sides.size(); ++s) {
-        RowSums& rows = series[s].rows();
-        rows = {(*sums)[0], (*sums)[s + 1], greatest((*sums)[0]), greatest((*sums)[s + 1])};
+    if (sides.empty()) return std::vector<Balance>{};
+    Sides all(exchange, unknowns, sides, limits);
+    for (bool more = all.begin(work); more; more = all.go_on(work)) {
+        std::vector<Balance> states = all.states();
+        if (on_bounce && !on_bounce(states)) return std::nullopt;
+        if (all.ended()) return states;
     }
-    std::vector<Balance> states(sides.size());
-    std::vector<bool> ended(sides.size(), false);
-    while (true) {
-        columns.clear();
-        for (std::size_t s = 0; s < sides.size(); ++s) {
-            if (ended[s]) continue;
-            bool ends = false;
-            states[s] = series[s].state(limits, ends);
-            states[s].products = products;
-            ended[s] = ends;
-            if (!ends) columns.push_back(series[s].leaving());
-        }
-        if (products > 1 && on_bounce && !on_bounce(states)) return std::nullopt;
-        if (columns.empty()) return states;
-        if (work.stop.stop_requested()) return std::nullopt;
-        auto arriving = exchanged(exchange, unknowns, columns);
-        if (!arriving) return std::nullopt;
-        ++products;
-        auto next = arriving->begin();
-        for (std::size_t s = 0; s < sides.size(); ++s) {
-            if (!ended[s]) series[s].arrive(std::move(*next++));
-        }
-    }
+    return std::nullopt;
 }
 
 }  // namespace hanei

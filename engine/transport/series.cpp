@@ -1,9 +1,9 @@
 #include "engine/transport/series.h"
 
 #include "engine/base/tiles.h"
+#include "engine/transport/sums.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace hanei {
@@ -14,18 +14,6 @@ constexpr std::size_t rows_a_tile = 32;
 
 // Row sums are known to the rounding of floats; a ratio this near to 1 says nothing.
 constexpr double least_gap = 1e-6;
-
-/// Eight sums side by side, added up in a fixed order: vector units work on all at once.
-template <class Term>
-double sum_of(std::size_t count, Term&& term) {
-    std::array<double, 8> sums{};
-    std::size_t j = 0;
-    for (; j + 8 <= count; j += 8) {
-        for (std::size_t lane = 0; lane < 8; ++lane) sums[lane] += term(j + lane);
-    }
-    for (std::size_t lane = 0; j < count; ++j, ++lane) sums[lane] += term(j);
-    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
-}
 
 const float* shares_of(const Visibility* visibility, std::size_t row) {
     if (!visibility || visibility->all_visible) return nullptr;
