@@ -151,9 +151,9 @@ private:
 
     PlannedEffect colour(EffectState between) const {
         const ColourReason reason = colour_reason(scene_);
-        if (!reason.coloured) return absent(Effect::colour_bands, reason.why);
+        if (!reason.coloured) return absent(Effect::three_bands, reason.why);
         // Of the three bands' products the first is that of interreflection itself.
-        return row(Effect::colour_bands, EffectState::simulated, reason.why,
+        return row(Effect::three_bands, EffectState::simulated, reason.why,
                    between == EffectState::simulated ? 2.0 * cost_.bounces_ms(bounces_needed()) : 0.0);
     }
 
@@ -201,7 +201,7 @@ std::string_view name_of(Effect effect) {
             return "bounces";
         case Effect::opening_size:
             return "size of openings";
-        case Effect::colour_bands:
+        case Effect::three_bands:
             return "colour bands";
     }
     return "";

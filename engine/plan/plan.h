@@ -17,7 +17,7 @@ enum class Effect {
     occlusion_patches,  ///< shadow tests between surfaces
     bounces,            ///< how many interreflections
     opening_size,       ///< measured luminaires shine from their openings, not from points
-    colour_bands,       ///< light in three bands of colour, not in one
+    three_bands,        ///< light in three bands of colour, not in one
 };
 
 enum class EffectState { simulated, skipped, not_present };

@@ -44,7 +44,7 @@ TEST(Plan, the_rows_come_in_the_order_of_the_effects_and_give_reasons) {
         EXPECT_EQ(static_cast<std::size_t>(plan.effects[k].effect), k);
         EXPECT_GT(plan.effects[k].why.size(), 20U);
         if (plan.effects[k].effect == Effect::opening_size) continue;  // no luminaire file here
-        if (plan.effects[k].effect == Effect::colour_bands) continue;  // and no colour
+        if (plan.effects[k].effect == Effect::three_bands) continue;   // and no colour
         EXPECT_EQ(plan.effects[k].state, EffectState::simulated);
         EXPECT_GT(plan.effects[k].predicted_ms, 0.0);
     }
@@ -141,7 +141,7 @@ TEST(Plan, every_name_is_spoken) {
 TEST(Plan, a_neutral_room_needs_one_band_of_colour) {
     Scene scene = sample::box_room(6.0, 4.0, 2.8);
     add_panel(scene, {3.0, 2.0, 2.8});
-    const PlannedEffect row = plan_effects(scene, {}).row(Effect::colour_bands);
+    const PlannedEffect row = plan_effects(scene, {}).row(Effect::three_bands);
     EXPECT_EQ(row.state, EffectState::not_present);
     EXPECT_EQ(row.predicted_ms, 0.0);
     EXPECT_NE(row.why.find("one band"), std::string::npos) << row.why;
@@ -154,7 +154,7 @@ TEST(Plan, a_coloured_wall_asks_for_three_bands_by_name_and_costs_two_products_m
     scene.materials.back().tint = {2.0, 0.75, 0.534};
     scene.room->wall_materials[1] = scene.materials.back().id;
     const EffectsPlan plan = plan_effects(scene, {});
-    const PlannedEffect row = plan.row(Effect::colour_bands);
+    const PlannedEffect row = plan.row(Effect::three_bands);
     EXPECT_EQ(row.state, EffectState::simulated);
     EXPECT_EQ(row.why, "Surfaces have a colour (brick).");
     EXPECT_DOUBLE_EQ(row.predicted_ms, 2.0 * plan.row(Effect::bounces).predicted_ms);
@@ -165,9 +165,9 @@ TEST(Plan, lamps_of_several_colours_ask_for_three_bands) {
     Scene scene = sample::box_room(6.0, 4.0, 2.8);
     for (int k = 0; k < 3; ++k) add_panel(scene, {1.0 + k, 2.0, 2.8});
     for (Luminaire& lamp : scene.luminaires) lamp.colour_temperature = 3000.0;
-    EXPECT_FALSE(plan_effects(scene, {}).simulates(Effect::colour_bands));
+    EXPECT_FALSE(plan_effects(scene, {}).simulates(Effect::three_bands));
     scene.luminaires[1].colour_temperature = 0.0;
-    const PlannedEffect row = plan_effects(scene, {}).row(Effect::colour_bands);
+    const PlannedEffect row = plan_effects(scene, {}).row(Effect::three_bands);
     EXPECT_EQ(row.state, EffectState::simulated);
     EXPECT_EQ(row.why, "Light is of several colours (neutral and 3000 K).");
 }
