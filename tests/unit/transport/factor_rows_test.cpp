@@ -58,15 +58,17 @@ std::array<double, 4> shares_by_force(const Mesh& mesh, const Nodes& nodes, std:
     return sums;
 }
 
-// A float rounds each of a thousand coefficients by 6e-8 of it.
+// Errors of single coefficients have either sign.
 constexpr double closed = 3e-6;
+// Where the horizon only just leaves a patch, what points leave out is a greater part of what is seen.
+constexpr double of_a_factor = 2e-4;
 
 TEST(FactorRows, of_constant_elements_are_the_form_factors_of_the_patches) {
     const Rows rows(sample::computer_room(), 0.5, Elements::constant);
     const DenseRows expected = *patch_factors(*rows.mesh, rows.nodes.receivers, {2});
     for (std::size_t k = 0; k < expected.values.size(); ++k) {
         const double factor = static_cast<double>(expected.values[k]);
-        EXPECT_NEAR(static_cast<double>(rows.values[k]), factor, 1e-4 * factor + 1e-9);
+        EXPECT_NEAR(static_cast<double>(rows.values[k]), factor, of_a_factor * factor + 1e-9);
     }
 }
 
@@ -81,7 +83,7 @@ TEST(FactorRows, of_linear_elements_add_up_to_the_form_factors_and_are_never_bel
                 sum += rows.at(i, k);
             }
             const auto factor = static_cast<double>(expected.row(i)[p]);
-            EXPECT_NEAR(sum, factor, 1e-4 * factor + 1e-9);
+            EXPECT_NEAR(sum, factor, of_a_factor * factor + 1e-9);
         }
     }
 }
