@@ -85,7 +85,8 @@ struct LightSide {
 /// Returns   one a side, in their order; empty when stopped.
 /// Holds     the same bits on any number of threads. The bound is on the balance of the rows as they
 ///           are: not on what their storage rounded away, nor on the mesh.
-/// Weak when a closed room reflects nearly all light: reflectance 0.99 takes 50 products to 1e-6.
+/// Weak when a closed room reflects nearly all light: reflectance 0.99 takes 50 products to 1e-6. Surfaces
+///           of reflectance 1 cost a few products more to show that light dies out.
 /// Cost      an office (reflectances 0.2 to 0.8): 5 products to 1e-3, 10 to 1e-6; one pass over the rows
 ///           each. Of memory some 10 values, and 3 a product (48 at most), an unknown and side.
 std::optional<std::vector<Balance>> balance(const Exchange& exchange, std::size_t unknowns,

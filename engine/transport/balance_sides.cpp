@@ -12,6 +12,10 @@ namespace {
 // Who allows no more than these wants bounces, not the solution: the paper's figures have four.
 constexpr int most_counted_bounces = 20;
 
+// Light that surfaces of reflectance 1 lose by seeing others is lost within a few reflections, or the
+// room is all but closed and nothing is gained by waiting.
+constexpr int most_grown = 12;
+
 using Columns = std::vector<std::span<const double>>;
 using Products = std::vector<std::vector<double>>;
 
@@ -82,8 +86,13 @@ public:
     }
 
 private:
+    bool solves() const { return limits_.bounces > most_counted_bounces; }
+
+    /// Products until light is known to die out in every band, or there is no use; how many.
+    std::optional<int> grow(const Work& work);
+
     std::unique_ptr<SideOnItsWay> start(const LightSide& side, const Band& band) const {
-        if (band.comparison->dies_out() && limits_.bounces > most_counted_bounces)
+        if (solves() && band.comparison->dies_out())
             return std::make_unique<SideSolved>(side, band.rows, *band.comparison, limits_);
         return std::make_unique<SideInSeries>(side, band.rows, limits_);
     }
@@ -114,13 +123,32 @@ bool Sides::begin(const Work& work) {
         band.rows.greatest = greatest(band.rows.reflecting);
         band.comparison.emplace(band.reflectance, band.rows.plain, band.rows.reflecting);
     }
+    const auto grown = grow(work);
+    if (!grown) return false;
     for (std::size_t s = 0; s < sides_.size(); ++s, ++product) {
         on_their_way_.push_back(start(sides_[s], *band_of_[s]));
         SideOnItsWay& side = *on_their_way_.back();
         if (!side.ended() && same(side.leaving(), sent[s])) side.arrive(*product);
     }
-    products_.assign(sides_.size(), 1);
+    products_.assign(sides_.size(), 1 + *grown);
     return true;
+}
+
+std::optional<int> Sides::grow(const Work& work) {
+    if (!solves()) return 0;
+    for (int grown = 0;; ++grown) {
+        Columns columns;
+        for (const Band& band : bands_) {
+            if (!band.comparison->growing().empty()) columns.push_back(band.comparison->growing());
+        }
+        if (columns.empty() || grown == most_grown) return grown;
+        const auto products = exchanged(exchange_, unknowns_, columns, work);
+        if (!products) return std::nullopt;
+        auto product = products->begin();
+        for (Band& band : bands_) {
+            if (!band.comparison->growing().empty()) band.comparison->grow(*product++);
+        }
+    }
 }
 
 bool Sides::go_on(const Work& work) {

@@ -119,6 +119,27 @@ TEST(SidesOfLight, reflectance_of_99_percent_takes_60_products_to_a_millionth) {
     EXPECT_LE(error_within_bound(room, found, exact), 1e-6);
 }
 
+TEST(SidesOfLight, a_closed_room_of_reflectance_1_with_one_dark_wall_is_solved) {
+    BalancedRoom room(sample::l_room(1.0), 0.5);
+    for (std::size_t k = 0; k < room.size(); ++k) {
+        if (room.mesh->patches[k].centre.x > 3.99) room.reflectance[k] = 0.1;  // the end of one corridor
+    }
+    const Balance found = solve(room, {1000, 1e-4});
+    EXPECT_TRUE(found.converged);
+    EXPECT_LE(found.products, 40);
+    EXPECT_LE(error_within_bound(room, found, *balance(room.input(), {100'000, 1e-8}, {2})), 1e-4);
+}
+
+TEST(SidesOfLight, a_closed_room_of_reflectance_1_has_no_balance_and_says_so) {
+    const BalancedRoom room(sample::box_room(4.0, 3.0, 2.5, 1.0), 1.0);
+    const Balance found = solve(room, {1000, 1e-3});
+    EXPECT_FALSE(found.converged);
+    for (std::size_t k = 0; k < room.size(); ++k) {
+        EXPECT_TRUE(std::isfinite(found.exitance[k]));
+        EXPECT_GT(found.exitance_half_width[k], found.exitance[k]);
+    }
+}
+
 TEST(SidesOfLight, every_state_lies_within_its_bound_and_the_bound_is_near_the_error) {
     const BalancedRoom room = office();
     const Balance exact = solve(room, {1000, 1e-12});
