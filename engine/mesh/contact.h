@@ -37,7 +37,8 @@ public:
     std::vector<Polygon> covers_of(std::size_t face) const;
 
     /// Where sheets that are not in the plane of a face stand on it or go through it: a patch across
-    /// such a line would lie on both sides of the sheet.
+    /// such a line would lie on both sides of the sheet. And the edges of flat opaque openings that
+    /// hang closely over the face: a patch across would be dark on one side and bright on the other.
     std::vector<Crease> creases_of(std::size_t face) const;
 
 private:

@@ -32,6 +32,27 @@ std::optional<Crease> meeting_line(const Polygon& sheet, const Plane& face, cons
     return Crease{*first, *last};
 }
 
+/// Sheets nearer to a face than this share of their own size shade it as if they lay on it.
+constexpr double closely_over = 0.05;
+
+bool lies_closely_over(const Polygon& sheet, const Plane& face, double same_place) {
+    return std::all_of(sheet.begin(), sheet.end(), [&](const Vec3& corner) {
+        const double height = face.height(corner);
+        return height > same_place && height <= closely_over * diameter(sheet);
+    });
+}
+
+/// The long edges of a sheet projected on a face; those of a circle's outline are none.
+void add_edges_below(const Polygon& sheet, const Plane& face, std::vector<Crease>& found) {
+    const double shortest = 0.25 * diameter(sheet);
+    for (std::size_t k = 0; k < sheet.size(); ++k) {
+        const Vec3& a = sheet[k];
+        const Vec3& b = sheet[(k + 1) % sheet.size()];
+        if (glm::length(b - a) < shortest) continue;
+        found.push_back({a - face.height(a) * face.normal, b - face.height(b) * face.normal});
+    }
+}
+
 }  // namespace
 
 std::vector<Crease> Contacts::creases_of(std::size_t face) const {
@@ -43,6 +64,12 @@ std::vector<Crease> Contacts::creases_of(std::size_t face) const {
         if (glm::length(direction) < 1e-6) continue;  // parallel: in one plane or apart
         for (const Polygon& piece : pieces_[g]) {
             if (const auto line = meeting_line(piece, plane, direction, same_place_)) found.push_back(*line);
+        }
+    }
+    for (const ConvexBody& opening : openings_) {
+        const bool flat = opening.faces.size() == 1;
+        if (flat && lies_closely_over(opening.vertices, plane, same_place_)) {
+            add_edges_below(opening.vertices, plane, found);
         }
     }
     return found;

@@ -257,6 +257,34 @@ TEST(Mesh, an_opaque_opening_flush_with_the_ceiling_covers_it) {
     EXPECT_NEAR(area_of(*make_mesh(scene, 0.5), 1), 12.0 - 0.72, rounding);
 }
 
+TEST(Mesh, no_patch_of_a_ceiling_lies_half_under_an_opaque_opening_just_below_it) {
+    Scene scene = sample::box_room(4.0, 3.0, 2.5);
+    Luminaire panel;
+    panel.id = scene.new_id();
+    panel.opening = PolygonOpening{{{{-0.6, -0.3, 0}, {-0.6, 0.3, 0}, {0.6, 0.3, 0}, {0.6, -0.3, 0}}, {}}};
+    panel.opaque = true;
+    const auto patches_across = [&](double below_ceiling) {
+        scene.luminaires.assign(1, panel);
+        scene.luminaires[0].position = {2.0, 1.5, 2.5 - below_ceiling};
+        const auto mesh = make_mesh(scene, 0.7);
+        EXPECT_NEAR(area_of(*mesh, 1), 12.0, rounding);
+        expect_sound(*mesh);
+        int across = 0;
+        for (const Patch& patch : mesh->patches) {
+            bool under = false, beside = false;
+            for (const Vec3& corner : patch.outline) {
+                const double outside = std::max(std::abs(corner.x - 2.0) - 0.6, std::abs(corner.y - 1.5) - 0.3);
+                under = under || outside < -1e-6;
+                beside = beside || outside > 1e-6;
+            }
+            if (patch.face == 1 && under && beside) ++across;
+        }
+        return across;
+    };
+    EXPECT_EQ(patches_across(0.01), 0);
+    EXPECT_GT(patches_across(0.2), 0);  // its shadow there is soft
+}
+
 TEST(Mesh, a_furnished_room_is_sound) { expect_sound(*make_mesh(sample::computer_room(), 0.4)); }
 
 }  // namespace
