@@ -91,6 +91,21 @@ Vec3 across_contact(const BodyShape& shape, const Vec3& from, const Vec3& along,
     return Vec3{0.0};
 }
 
+/// Corners of a box along its edges: of a flat one the four of a rectangle, of a thin one two.
+std::span<const Vec3> corners_of(const Box& box, std::array<Vec3, 8>& corners) {
+    corners[0] = box.low;
+    std::size_t count = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (box.low[axis] == box.high[axis]) continue;
+        for (std::size_t k = 0; k < count; ++k) {  // back the way, along the other side
+            corners[count + k] = corners[count - 1 - k];
+            corners[count + k][axis] = box.high[axis];
+        }
+        count *= 2;
+    }
+    return {corners.data(), count};
+}
+
 /// The body that hid everything when this thread last looked from somewhere at a polygon that begins
 /// here: a neighbour's view likely ends in it too. A guess to try first; no answer depends on it.
 BodyIndex& likely_umbra(const OccluderSet& set, const Vec3& first_corner) {
@@ -160,15 +175,8 @@ void OccluderSet::between(const Vec3& eye, std::span<const Vec3> points, std::sp
 
 void OccluderSet::between(const Box& eyes, std::span<const Vec3> points, std::vector<BodyIndex>& found) const {
     if (points.empty() || bodies_.empty()) return;
-    const Vec3 &low = eyes.low, &high = eyes.high;
-    const std::array<Vec3, 8> corners = {{low,
-                                          {high.x, low.y, low.z},
-                                          {high.x, high.y, low.z},
-                                          {low.x, high.y, low.z},
-                                          {low.x, high.y, high.z},
-                                          high,
-                                          {high.x, low.y, high.z},
-                                          {low.x, low.y, high.z}}};
+    std::array<Vec3, 8> room;
+    const std::span<const Vec3> corners = corners_of(eyes, room);
     in_shaft(corners, points, -touching * same_place_, found);  // bodies that only touch it count, as for one eye
 }
 

@@ -3,154 +3,245 @@
 #include "engine/geometry/contour.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 namespace hanei {
 
-void BodyShadows::start(const Receiver& receiver) {
-    receiver_ = receiver;
-    ++number_;
+namespace {
+
+/// A share nearer to 0 or 1 than this is rounding.
+constexpr double sharp = 1e-6;
+
+double size_of(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+struct Extent {
+    double low, high;
+};
+
+/// Heights of the face's corners.
+Extent extent_of(const ShadedFace& face, const FlatLine& line) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t k = 0; k < face.corners.count; ++k) {
+        const double height = line.height(face.corners.u[k], face.corners.v[k]);
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    return {low, high};
 }
 
-const BodyShadows::Shadow& BodyShadows::of(BodyIndex body) {
-    Shadow& shadow = known_[body];
-    if (shadow.made_for != number_) {
-        shadow.hides = hidden_region(occluders_.shape(body), receiver_.position, receiver_.inward,
-                                     occluders_.same_place(), shadow.planes);
-        shadow.made_for = number_;
-    }
-    return shadow;
+float snapped(double share) {
+    if (share < sharp) return 0.0F;
+    return share > 1.0 - sharp ? 1.0F : static_cast<float>(share);
 }
 
-void ShadowCast::start(const Receiver& receiver) {
-    receiver_ = receiver;
-    shadows_.start(receiver);
+}  // namespace
+
+void ShadowCast::start(std::span<const Receiver> side_by_side) {
+    receivers_.assign(side_by_side.begin(), side_by_side.end());
+    shadows_.start(side_by_side);
 }
 
-void ShadowCast::write(const FaceLayout& layout, std::span<const BodyIndex> bodies, float* row) {
-    const MeshFace& face = *layout.face;
-    float* shares = row + face.first_patch;
-    corners_.clear();
-    farthest_ = 0.0;
-    for (const Vec3& corner : layout.corners) {
-        corners_.push_back(corner - receiver_.position);
-        const Vec3 away = glm::abs(corners_.back());
-        farthest_ = std::max({farthest_, away.x, away.y, away.z});
+bool ShadowCast::write(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies, float* row) {
+    look_at(face, receivers_[receiver]);
+    float* shares = row + face.layout->face->first_patch;
+    const std::size_t count = face.size();
+    if (cast_all(face, receiver, bodies)) {
+        std::fill_n(shares, count, 0.0F);
+        return true;
     }
-    hidden_.assign(face.patch_count, 0);
-    if (cutting_.size() < face.patch_count) cutting_.resize(face.patch_count);
-    for (std::size_t p = 0; p < face.patch_count; ++p) cutting_[p].clear();
-    if (casts_.size() < bodies.size()) casts_.resize(bodies.size());
-
-    for (std::uint32_t k = 0; k < bodies.size(); ++k) {
-        const Shaded shaded = region_on(shadows_.of(bodies[k]), casts_[k]);
-        if (shaded == Shaded::everything) {
-            std::fill_n(shares, face.patch_count, 0.0F);
-            return;
-        }
-        if (shaded == Shaded::part) mark_patches(layout, k);
-    }
-    for (std::uint32_t p = 0; p < face.patch_count; ++p) {
+    if (cast_count_ == 0) return false;
+    hidden_.assign(count + ShadedFace::lanes, 0);
+    first_cut_.assign(count + ShadedFace::lanes, Cut::none);
+    cuts_.clear();
+    for (std::uint32_t k = 0; k < cast_count_; ++k) mark(face, casts_[k], k);
+    for (std::uint32_t p = 0; p < count; ++p) {
         if (hidden_[p]) {
             shares[p] = 0.0F;
-        } else if (!cutting_[p].empty()) {
-            shares[p] = share_of(mesh_.patches[face.first_patch + p], cutting_[p]);
+        } else if (first_cut_[p] != Cut::none) {
+            shares[p] = share_of(face, p);
         }
     }
+    return true;
 }
 
-/// Below this a height over a plane through the receiver is rounding.
-double ShadowCast::slack_of(const HalfSpace& plane) const {
+/// True when one of the shadows covers the face; else those that cross it are kept.
+bool ShadowCast::cast_all(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies) {
+    if (casts_.size() < bodies.size()) casts_.resize(bodies.size());
+    if (misses_.size() != bodies.size()) misses_.assign(bodies.size(), 0);
+    cast_count_ = 0;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const Shaded shaded = cast_on(face, shadows_.of(receiver, bodies[k]), casts_[cast_count_], misses_[k]);
+        if (shaded == Shaded::everything) return true;
+        if (shaded == Shaded::part) ++cast_count_;
+    }
+    return false;
+}
+
+void ShadowCast::look_at(const ShadedFace& face, const Receiver& receiver) {
     constexpr double relative_rounding = 1e-14;  // a hundred times that of a height
-    const Vec3 size = glm::abs(plane.outward);
-    return std::max(plane.slack, relative_rounding * farthest_ * (size.x + size.y + size.z));
+    receiver_ = receiver;
+    to_face_ = face.origin - receiver.position;
+    rounding_ = relative_rounding * (size_of(to_face_) + face.radius);
+    view_.eye_u = -glm::dot(to_face_, face.along);
+    view_.eye_v = -glm::dot(to_face_, face.across);
+    view_.height = -glm::dot(to_face_, face.normal);
+    view_.rise = glm::dot(to_face_, receiver.normal);
+    view_.rise_u = glm::dot(face.along, receiver.normal);
+    view_.rise_v = glm::dot(face.across, receiver.normal);
 }
 
-/// Cuts the face down to the shadow, into `loop_`; keeps the planes that took part in it.
-Shaded ShadowCast::region_on(const BodyShadows::Shadow& shadow, std::vector<HalfSpace>& crossing) {
-    crossing.clear();
+/// Where the plane meets the face; not normalised.
+FlatLine ShadowCast::line_of(const ShadedFace& face, const HalfSpace& plane) const {
+    return {glm::dot(plane.outward, face.along), glm::dot(plane.outward, face.across),
+            glm::dot(plane.outward, to_face_) - plane.reach};
+}
+
+/// Keeps the planes of the shadow that cross the face; all must. The plane by which the body's shadow
+/// missed it from the receiver before is asked first.
+ShadowCast::Shaded ShadowCast::cast_on(const ShadedFace& face, const BodyShadows::Shadow& shadow, Cast& cast,
+                                       std::size_t& misses) const {
     if (shadow.hides == Hides::everything) return Shaded::everything;
     if (shadow.hides == Hides::nothing) return Shaded::nothing;
-    for (const HalfSpace& plane : shadow.planes) {
+    const auto slack_of = [&](const HalfSpace& plane) {
+        return std::max(plane.slack, rounding_ * size_of(plane.outward));
+    };
+    if (misses < shadow.planes.size()) {
+        const HalfSpace& plane = shadow.planes[misses];
+        if (extent_of(face, line_of(face, plane)).low >= -slack_of(plane)) return Shaded::nothing;
+    }
+    cast.planes.clear();
+    cast.lines.clear();
+    for (std::size_t k = 0; k < shadow.planes.size(); ++k) {
+        const HalfSpace& plane = shadow.planes[k];
+        const FlatLine line = line_of(face, plane);
+        const Extent extent = extent_of(face, line);
         const double slack = slack_of(plane);
-        double lowest = std::numeric_limits<double>::infinity();
-        double highest = -lowest;
-        for (const Vec3& corner : corners_) {
-            const double height = glm::dot(plane.outward, corner) - plane.reach;
-            lowest = std::min(lowest, height);
-            highest = std::max(highest, height);
+        if (extent.low >= -slack) {
+            misses = k;
+            return Shaded::nothing;
         }
-        if (lowest >= -slack) return Shaded::nothing;
-        if (highest > slack) crossing.push_back({plane.outward, plane.reach, slack});
+        if (extent.high <= slack) continue;
+        const double scale = 1.0 / std::sqrt(line.a * line.a + line.b * line.b);
+        cast.planes.push_back({plane.outward, plane.reach, slack});
+        cast.lines.push_back({scale * line.a, scale * line.b, scale * line.c});
     }
-    if (crossing.empty()) return Shaded::everything;
-    loop_ = corners_;
-    for (const HalfSpace& plane : crossing) clip(plane);
-    return loop_.size() < 3 ? Shaded::nothing : Shaded::part;
+    return cast.lines.empty() ? Shaded::everything : Shaded::part;
 }
 
-/// Keeps the part of `loop_` inside the plane.
-void ShadowCast::clip(const HalfSpace& plane) {
-    heights_.clear();
-    bool any_outside = false;
-    for (const Vec3& point : loop_) {
-        heights_.push_back(glm::dot(plane.outward, point) - plane.reach);
-        any_outside = any_outside || heights_.back() > 0.0;
+void ShadowCast::mark(const ShadedFace& face, const Cast& cast, std::uint32_t number) {
+    if (face.groups.size() == 1 || face.corners.count + cast.lines.size() > FlatLoop::most) {
+        for (std::size_t group = 0; group < face.groups.size(); ++group) mark_group(face, cast, group, number);
+        return;
     }
-    if (!any_outside) return;
-    clipped_.clear();
-    for (std::size_t k = 0; k < loop_.size(); ++k) {
-        const std::size_t next = k + 1 < loop_.size() ? k + 1 : 0;
-        const double here = heights_[k], there = heights_[next];
-        if (here <= 0.0) clipped_.push_back(loop_[k]);
-        if ((here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0)) {
-            clipped_.push_back(loop_[k] + here / (here - there) * (loop_[next] - loop_[k]));
-        }
+    FlatLoop shade = face.corners;
+    for (const FlatLine& line : cast.lines) clip(shade, line);
+    if (shade.count < 3) return;
+    const auto [low_u, high_u] = std::minmax_element(shade.u.begin(), shade.u.begin() + shade.count);
+    const auto [low_v, high_v] = std::minmax_element(shade.v.begin(), shade.v.begin() + shade.count);
+    const double slack = face.layout->same_place;
+    const FlatBox box{*low_u - slack, *low_v - slack, *high_u + slack, *high_v + slack};
+    for (std::size_t group = 0; group < face.groups.size(); ++group) {
+        if (face.groups[group].box.meets(box)) mark_group(face, cast, group, number);
     }
-    loop_.swap(clipped_);
 }
 
-void ShadowCast::mark_patches(const FaceLayout& layout, std::uint32_t cast) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const double eye_u = glm::dot(receiver_.position, layout.along);
-    const double eye_v = glm::dot(receiver_.position, layout.across);
-    FlatBox shade{infinite, infinite, -infinite, -infinite};
-    for (const Vec3& point : loop_) {
-        const double u = eye_u + glm::dot(point, layout.along);
-        const double v = eye_v + glm::dot(point, layout.across);
-        shade = {std::min(shade.low_u, u), std::min(shade.low_v, v), std::max(shade.high_u, u),
-                 std::max(shade.high_v, v)};
+void ShadowCast::mark_group(const ShadedFace& face, const Cast& cast, std::size_t group, std::uint32_t number) {
+    const ShadedFace::Group& patches = face.groups[group];
+    FourFlags beyond{}, crossed{};
+    for (const FlatLine& line : cast.lines) {
+        const auto a = static_cast<float>(line.a), b = static_cast<float>(line.b);
+        const Four height = patches.u * a + patches.v * b + static_cast<float>(line.c);
+        const Four reach = patches.half_u * std::abs(a) + patches.half_v * std::abs(b);
+        beyond |= height - reach >= -patches.slack;
+        crossed |= height + reach > patches.slack;
     }
-    shade = {shade.low_u - layout.same_place, shade.low_v - layout.same_place, shade.high_u + layout.same_place,
-             shade.high_v + layout.same_place};
-    for (std::uint32_t group = 0; group < layout.group_boxes.size(); ++group) {
-        if (!layout.group_boxes[group].meets(shade)) continue;
-        const std::uint32_t first = group * FaceLayout::group_size;
-        const std::uint32_t last = std::min(first + FaceLayout::group_size, layout.face->patch_count);
-        for (std::uint32_t p = first; p < last; ++p) {
-            if (hidden_[p] || !layout.boxes[p].meets(shade)) continue;
-            mark_patch(p, mesh_.patches[layout.face->first_patch + p].outline, cast);
+    const std::size_t first = group * ShadedFace::lanes;
+    const int is_crossed = bits_of(crossed);
+    for (auto bits = static_cast<unsigned>(bits_of(beyond)) ^ 15U; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const std::size_t patch = first + lane;
+        if (hidden_[patch]) continue;
+        if ((is_crossed >> lane & 1) == 0) {
+            hidden_[patch] = 1;
+        } else {
+            cuts_.push_back({number, first_cut_[patch]});
+            first_cut_[patch] = static_cast<std::int32_t>(cuts_.size()) - 1;
         }
     }
 }
 
-void ShadowCast::mark_patch(std::uint32_t patch, const Polygon& outline, std::uint32_t cast) {
-    bool inside = true;
-    for (const HalfSpace& plane : casts_[cast]) {
-        bool all_outside = true;
-        for (const Vec3& corner : outline) {
-            const double height = glm::dot(plane.outward, corner - receiver_.position) - plane.reach;
-            all_outside = all_outside && height >= -plane.slack;
-            inside = inside && height <= plane.slack;
-            if (!all_outside && !inside) break;
-        }
-        if (all_outside) return;
+float ShadowCast::share_of(const ShadedFace& face, std::uint32_t patch) {
+    cutting_.clear();
+    for (std::int32_t cut = first_cut_[patch]; cut != Cut::none; cut = cuts_[static_cast<std::size_t>(cut)].next) {
+        cutting_.push_back(&casts_[cuts_[static_cast<std::size_t>(cut)].cast]);
     }
-    if (inside) {
-        hidden_[patch] = 1;
+    float share = 1.0F;
+    if (flat_share(face, patch, share)) return share;
+    return exact_share(mesh_.patches[face.layout->face->first_patch + patch]);
+}
+
+/// False when the patch is too near, or has too many sides.
+bool ShadowCast::flat_share(const ShadedFace& face, std::uint32_t patch, float& share) {
+    const double radius = face.patch_radius[patch];
+    const double square = view_.square_distance(face.middle_u(patch), face.middle_v(patch));
+    if (radius * radius > FlatView::nearest * FlatView::nearest * square) return false;
+    std::size_t sides = face.corner_count(patch) + 1;
+    for (const Cast* cast : cutting_) sides += cast->lines.size();
+    if (sides > FlatLoop::most) return false;
+
+    const bool split_up = radius * radius > FlatView::near * FlatView::near * square;
+    FlatLoop loop = face.loop(patch);
+    bool below_horizon = false;
+    for (std::size_t k = 0; k < loop.count; ++k) below_horizon |= view_.rise_at(loop.u[k], loop.v[k]) < 0.0;
+    if (below_horizon) clip(loop, {-view_.rise_u, -view_.rise_v, -view_.rise});
+    const double whole = view_.weight(loop, split_up);
+    if (!(whole > 0.0)) return true;  // weighs nothing either way
+    if (cutting_.size() == 1) {
+        for (const FlatLine& line : cutting_.front()->lines) clip(loop, line);
+        share = snapped(1.0 - view_.weight(loop, split_up) / whole);
     } else {
-        cutting_[patch].push_back(cast);
+        share = snapped(visible_weight(loop, split_up) / whole);
+    }
+    return true;
+}
+
+/// Of what several shadows leave of a loop.
+double ShadowCast::visible_weight(const FlatLoop& loop, bool split_up) {
+    rest_.assign(1, loop);
+    for (const Cast* cast : cutting_) {
+        next_rest_.clear();
+        for (const FlatLoop& piece : rest_) subtract(piece, *cast);
+        rest_.swap(next_rest_);
+    }
+    double sum = 0.0;
+    for (const FlatLoop& piece : rest_) sum += view_.weight(piece, split_up);
+    return sum;
+}
+
+/// Adds to `next_rest_` what a shadow leaves of a piece.
+void ShadowCast::subtract(const FlatLoop& piece, const Cast& cast) {
+    crossing_.clear();
+    for (const FlatLine& line : cast.lines) {
+        bool any_inside = false, any_outside = false;
+        for (std::size_t k = 0; k < piece.count; ++k) {
+            const double height = line.height(piece.u[k], piece.v[k]);
+            any_inside |= height < 0.0;
+            any_outside |= height > 0.0;
+        }
+        if (!any_inside) return next_rest_.push_back(piece);
+        if (any_outside) crossing_.push_back(&line);
+    }
+    const std::size_t before = next_rest_.size();
+    FlatLoop left = piece, inside, outside;
+    for (const FlatLine* line : crossing_) {
+        split(left, *line, inside, outside);
+        if (outside.count > 2) next_rest_.push_back(outside);
+        left = inside;
+        if (left.count > 2) continue;
+        next_rest_.resize(before);  // none of the piece is in the shadow
+        return next_rest_.push_back(piece);
     }
 }
 
@@ -161,21 +252,16 @@ double ShadowCast::factor_of(std::span<const Vec3> loop) {
     return contour_factor({loop.front(), offsets_}, receiver_.normal);
 }
 
-/// One shadow: its part of the patch is one convex polygon. Several: what is left of the patch.
-float ShadowCast::share_of(const Patch& patch, std::span<const std::uint32_t> casts) {
+/// Of what is left of the patch, by the contour formula.
+float ShadowCast::exact_share(const Patch& patch) {
     loop_.clear();
     for (const Vec3& corner : patch.outline) loop_.push_back(corner - receiver_.position);
     const double whole = factor_of(loop_);
     if (!(whole > 0.0)) return 1.0F;  // weighs nothing either way
+    pieces_.start(loop_);
+    for (const Cast* cast : cutting_) pieces_.subtract(cast->planes);
     double visible = 0.0;
-    if (casts.size() == 1) {
-        for (const HalfSpace& plane : casts_[casts.front()]) clip(plane);
-        visible = whole - factor_of(loop_);
-    } else {
-        pieces_.start(loop_);
-        for (const std::uint32_t cast : casts) pieces_.subtract(casts_[cast]);
-        for (std::size_t k = 0; k < pieces_.size(); ++k) visible += factor_of(pieces_[k]);
-    }
+    for (std::size_t k = 0; k < pieces_.size(); ++k) visible += factor_of(pieces_[k]);
     return static_cast<float>(std::clamp(visible / whole, 0.0, 1.0));
 }
 

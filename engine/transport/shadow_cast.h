@@ -1,74 +1,83 @@
 /// The shadows of bodies on the patches of a face, seen from one receiver.
 #pragma once
 
-#include "engine/geometry/hidden_region.h"
-#include "engine/geometry/occluders.h"
 #include "engine/geometry/visible_pieces.h"
-#include "engine/transport/seen_face.h"
+#include "engine/transport/body_shadows.h"
+#include "engine/transport/flat_view.h"
+#include "engine/transport/shaded_face.h"
 
 #include <span>
 #include <vector>
 
 namespace hanei {
 
-/// What each body hides from one receiver, worked out when first asked.
-class BodyShadows {
-public:
-    struct Shadow {
-        Hides hides = Hides::nothing;
-        std::vector<HalfSpace> planes;
-        std::size_t made_for = 0;
-    };
-
-    explicit BodyShadows(const OccluderSet& occluders) : occluders_(occluders), known_(occluders.bodies().size()) {}
-    void start(const Receiver& receiver);
-    const Shadow& of(BodyIndex body);
-
-private:
-    const OccluderSet& occluders_;
-    Receiver receiver_;
-    std::size_t number_ = 0;
-    std::vector<Shadow> known_;
-};
-
-/// The part of a face in one body's shadow.
-enum class Shaded { nothing, everything, part };
-
-/// Casts shadows on one face after another. A shadow is convex: a patch with all corners inside is
-/// hidden, one whose corners all lie beyond one of its planes is clear, and only patches on its
-/// border are cut.
+/// Casts shadows on one face after another. A shadow is convex, and on a face bounded by straight lines:
+/// patches on the inner side of all of them are hidden, those beyond one of them are clear, and only
+/// patches that a line crosses are cut.
 ///
-/// Holds     its memory from one face to the next: keep one a thread.
+/// Holds     its memory from one face to the next: keep one a thread. Shares of patches that are small
+///           against their distance to 1e-5 (see FlatView), of the others to rounding.
 class ShadowCast {
 public:
     ShadowCast(const Mesh& mesh, const OccluderSet& occluders) : mesh_(mesh), shadows_(occluders) {}
 
-    void start(const Receiver& receiver);
+    void start(std::span<const Receiver> side_by_side);
 
     /// Writes the visible shares of the face's patches that are not 1 to their columns of a row.
     ///
-    /// Needs     a receiver in front of the face, not in its plane; all bodies that may stand between.
-    void write(const FaceLayout& layout, std::span<const BodyIndex> bodies, float* row);
+    /// Needs     a receiver (its number among those side by side) in front of the face, not in its plane;
+    ///           all bodies that may stand between.
+    /// Returns   false when nothing is hidden.
+    bool write(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies, float* row);
+
+    /// Another face, or other bodies, follow.
+    void next_face() { misses_.clear(); }
 
 private:
-    Shaded region_on(const BodyShadows::Shadow& shadow, std::vector<HalfSpace>& crossing);
-    void mark_patches(const FaceLayout& layout, std::uint32_t cast);
-    void mark_patch(std::uint32_t patch, const Polygon& outline, std::uint32_t cast);
-    double slack_of(const HalfSpace& plane) const;
-    void clip(const HalfSpace& plane);
-    float share_of(const Patch& patch, std::span<const std::uint32_t> casts);
+    /// The part of a face in one body's shadow.
+    enum class Shaded { nothing, everything, part };
+
+    /// One shadow's border where it crosses the face: the same planes in space and in the face.
+    struct Cast {
+        std::vector<HalfSpace> planes;
+        std::vector<FlatLine> lines;
+    };
+    struct Cut {
+        std::uint32_t cast = 0;
+        std::int32_t next = none;  ///< another cut of the same patch
+        static constexpr std::int32_t none = -1;
+    };
+
+    void look_at(const ShadedFace& face, const Receiver& receiver);
+    bool cast_all(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies);
+    Shaded cast_on(const ShadedFace& face, const BodyShadows::Shadow& shadow, Cast& cast, std::size_t& misses) const;
+    FlatLine line_of(const ShadedFace& face, const HalfSpace& plane) const;
+    void mark(const ShadedFace& face, const Cast& cast, std::uint32_t number);
+    void mark_group(const ShadedFace& face, const Cast& cast, std::size_t group, std::uint32_t number);
+    float share_of(const ShadedFace& face, std::uint32_t patch);
+    bool flat_share(const ShadedFace& face, std::uint32_t patch, float& share);
+    double visible_weight(const FlatLoop& loop, bool split);
+    void subtract(const FlatLoop& piece, const Cast& cast);
+    float exact_share(const Patch& patch);
     double factor_of(std::span<const Vec3> loop);
 
     const Mesh& mesh_;
     BodyShadows shadows_;
+    std::vector<Receiver> receivers_;
     Receiver receiver_;
-    double farthest_ = 0.0;
-    std::vector<Vec3> corners_;                  // of the face, seen from the receiver
-    std::vector<std::vector<HalfSpace>> casts_;  // planes of each shadow that cross the face
+    Vec3 to_face_{0.0};      ///< from the receiver to the face's origin
+    double rounding_ = 0.0;  ///< of a height over a plane through the receiver, for a direction of size 1
+    FlatView view_;
+    std::vector<Cast> casts_;
+    std::size_t cast_count_ = 0;
+    std::vector<std::size_t> misses_;  ///< by which plane each body's shadow last missed the face
     std::vector<char> hidden_;
-    std::vector<std::vector<std::uint32_t>> cutting_;  // casts that cut a patch
-    std::vector<Vec3> loop_, clipped_, offsets_;
-    std::vector<double> heights_;
+    std::vector<std::int32_t> first_cut_;  ///< one a patch
+    std::vector<Cut> cuts_;
+    std::vector<const Cast*> cutting_;  ///< the patch in hand
+    std::vector<const FlatLine*> crossing_;
+    std::vector<FlatLoop> rest_, next_rest_;
+    std::vector<Vec3> loop_, offsets_;
     VisiblePieces pieces_;
 };
 

@@ -3,6 +3,7 @@
 #include "engine/geometry/visible_part.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hanei {
 
@@ -23,6 +24,20 @@ Box box_of(std::span<const Receiver> receivers) {
     return box;
 }
 
+/// As many of the first receivers as lie in one plane, not too many.
+std::size_t run_length(std::span<const Receiver> receivers, double same_place) {
+    constexpr std::size_t most = 16;
+    const Receiver& first = receivers[0];
+    std::size_t count = 1;
+    while (count < std::min(most, receivers.size())) {
+        const Receiver& next = receivers[count];
+        if (next.normal != first.normal) break;
+        if (std::abs(glm::dot(next.position - first.position, first.normal)) > same_place) break;
+        ++count;
+    }
+    return count;
+}
+
 }  // namespace
 
 VisibleShares::VisibleShares(const Mesh& mesh, const OccluderSet& occluders)
@@ -30,8 +45,10 @@ VisibleShares::VisibleShares(const Mesh& mesh, const OccluderSet& occluders)
       occluders_(occluders),
       layouts_(layouts_of(mesh)),
       cast_(mesh, occluders),
-      known_for_(layouts_.size(), 0),
-      known_(layouts_.size()) {}
+      likely_(layouts_.size(), 0) {
+    faces_.reserve(layouts_.size());
+    for (const FaceLayout& layout : layouts_) faces_.emplace_back(mesh, layout);
+}
 
 bool VisibleShares::write(std::span<const Receiver> side_by_side, float* shares) {
     const ColumnRange all{0, mesh_.patches.size()};
@@ -39,22 +56,87 @@ bool VisibleShares::write(std::span<const Receiver> side_by_side, float* shares)
 }
 
 bool VisibleShares::write(std::span<const Receiver> side_by_side, std::span<const ColumnRange> patches, float* shares) {
-    if (side_by_side.empty() || occluders_.empty()) return false;
-    eyes_ = box_of(side_by_side);
-    ++tile_;
+    if (occluders_.empty()) return false;
     bool any_hidden = false;
-    for (std::size_t k = 0; k < side_by_side.size(); ++k) {
-        cast_.start(side_by_side[k]);
-        float* row = shares + k * mesh_.patches.size();
-        auto range = patches.begin();
-        for (std::size_t face = 0; face < layouts_.size(); ++face) {
-            const std::size_t first = layouts_[face].face->first_patch;
-            while (range != patches.end() && range->last <= first) ++range;
-            if (range == patches.end()) break;
-            if (range->first <= first) any_hidden |= write_face(face, side_by_side[k], row);
+    while (!side_by_side.empty()) {
+        const std::size_t count = run_length(side_by_side, occluders_.same_place());
+        any_hidden |= write_run({side_by_side.first(count), shares}, patches);
+        side_by_side = side_by_side.subspan(count);
+        shares += count * mesh_.patches.size();
+    }
+    return any_hidden;
+}
+
+bool VisibleShares::write_run(const Run& run, std::span<const ColumnRange> patches) {
+    cast_.start(run.receivers);
+    bool any_hidden = false;
+    auto range = patches.begin();
+    for (std::size_t face = 0; face < layouts_.size(); ++face) {
+        const std::size_t first = layouts_[face].face->first_patch;
+        while (range != patches.end() && range->last <= first) ++range;
+        if (range == patches.end()) break;
+        if (range->first <= first) any_hidden |= write_face(run, face);
+    }
+    return any_hidden;
+}
+
+bool VisibleShares::write_face(const Run& run, std::size_t face) {
+    const FaceLayout& layout = layouts_[face];
+    seen_.clear();
+    bool any_seen = false;
+    for (const Receiver& receiver : run.receivers) {
+        seen_.push_back(seen_from(layout, receiver));
+        any_seen = any_seen || seen_.back() != FaceSeen::hidden;
+    }
+    if (!any_seen) return false;
+    if (likely_[face] < occluders_.bodies().size()) {
+        before_.assign(1, likely_[face]);
+        if (hidden_from_all(layout, run)) return true;
+    }
+    before_.clear();
+    occluders_.between(box_of(run.receivers), layout.corners, before_);
+    if (before_.empty()) return false;
+    if (hidden_from_all(layout, run)) {
+        likely_[face] = before_.front();
+        return true;
+    }
+    bool any_hidden = false;
+    cast_.next_face();
+    for (std::size_t k = 0; k < run.receivers.size(); ++k) {
+        if (seen_[k] == FaceSeen::hidden) continue;
+        if (seen_[k] == FaceSeen::touching) {
+            any_hidden |= write_limits(layout, run.receivers[k], row(run, k));
+        } else {
+            any_hidden |= cast_.write(faces_[face], k, before_, row(run, k));
         }
     }
     return any_hidden;
+}
+
+/// Where one of the bodies before the face hides all of it from every receiver that faces it: then it
+/// comes first among them, and the face's shares are written.
+bool VisibleShares::hidden_from_all(const FaceLayout& layout, const Run& run) {
+    constexpr double clearly = 4.0;  // so that no rounding shows a slit
+    for (const BodyIndex body : before_) {
+        const BodyShape& shape = occluders_.shape(body);
+        bool hides = true;
+        for (std::size_t k = 0; hides && k < run.receivers.size(); ++k) {
+            if (seen_[k] == FaceSeen::hidden) continue;
+            hides = hides_all(shape, run.receivers[k].position, layout.corners, clearly * occluders_.same_place());
+        }
+        if (!hides) continue;
+        for (std::size_t k = 0; k < run.receivers.size(); ++k) {
+            if (seen_[k] == FaceSeen::hidden) continue;
+            std::fill_n(row(run, k) + layout.face->first_patch, layout.face->patch_count, 0.0F);
+        }
+        before_.assign(1, body);
+        return true;
+    }
+    return false;
+}
+
+float* VisibleShares::row(const Run& run, std::size_t receiver) const {
+    return run.shares + receiver * mesh_.patches.size();
 }
 
 void VisibleShares::touched_by(const OccluderSet& gone, const OccluderSet& come, std::span<const Receiver> side_by_side,
@@ -72,34 +154,15 @@ void VisibleShares::touched_by(const OccluderSet& gone, const OccluderSet& come,
     }
 }
 
-std::span<const BodyIndex> VisibleShares::bodies_before(std::size_t face) {
-    if (known_for_[face] != tile_) {
-        known_[face].clear();
-        occluders_.between(eyes_, layouts_[face].corners, known_[face]);
-        known_for_[face] = tile_;
-    }
-    return known_[face];
-}
-
-bool VisibleShares::write_face(std::size_t face, const Receiver& receiver, float* row) {
-    const FaceLayout& layout = layouts_[face];
-    const FaceSeen seen = seen_from(layout, receiver);
-    if (seen == FaceSeen::hidden) return false;
+bool VisibleShares::write_limits(const FaceLayout& layout, const Receiver& receiver, float* row) {
     bodies_.clear();
-    occluders_.between(receiver.position, layout.corners, bodies_before(face), bodies_);
+    occluders_.between(receiver.position, layout.corners, before_, bodies_);
     if (bodies_.empty()) return false;
-    if (seen == FaceSeen::touching) {
-        write_limits(*layout.face, receiver, row);
-    } else {
-        cast_.write(layout, bodies_, row);
-    }
-    return true;
-}
-
-void VisibleShares::write_limits(const MeshFace& face, const Receiver& receiver, float* row) const {
+    const MeshFace& face = *layout.face;
     for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
         row[p] = limit_share(mesh_.patches[p], receiver, occluders_, bodies_);
     }
+    return true;
 }
 
 }  // namespace hanei

@@ -39,18 +39,26 @@ public:
     bool write(std::span<const Receiver> side_by_side, std::span<const ColumnRange> patches, float* shares);
 
 private:
-    bool write_face(std::size_t face, const Receiver& receiver, float* row);
-    void write_limits(const MeshFace& face, const Receiver& receiver, float* row) const;
-    std::span<const BodyIndex> bodies_before(std::size_t face);
+    /// Receivers of one face, side by side.
+    struct Run {
+        std::span<const Receiver> receivers;
+        float* shares;
+    };
+
+    bool write_run(const Run& run, std::span<const ColumnRange> patches);
+    bool write_face(const Run& run, std::size_t face);
+    bool write_limits(const FaceLayout& layout, const Receiver& receiver, float* row);
+    bool hidden_from_all(const FaceLayout& layout, const Run& run);
+    float* row(const Run& run, std::size_t receiver) const;
 
     const Mesh& mesh_;
     const OccluderSet& occluders_;
     std::vector<FaceLayout> layouts_;
+    std::vector<ShadedFace> faces_;
     ShadowCast cast_;
-    Box eyes_;                                   // around the receivers side by side
-    std::size_t tile_ = 0;                       // how many times receivers were given
-    std::vector<std::size_t> known_for_;         // tile, one a face
-    std::vector<std::vector<BodyIndex>> known_;  // bodies that may stand between the eyes and a face
+    std::vector<FaceSeen> seen_;     // one a receiver of the run
+    std::vector<BodyIndex> before_;  // bodies that may stand between the run and a face
+    std::vector<BodyIndex> likely_;  // the body that last hid a face from all of a run, one a face
     std::vector<BodyIndex> bodies_;
 };
 
