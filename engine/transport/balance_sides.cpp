@@ -189,9 +189,11 @@ std::optional<std::vector<Balance>> balance(const Exchange& exchange, std::size_
     if (sides.empty()) return std::vector<Balance>{};
     Sides all(exchange, unknowns, sides, limits);
     for (bool more = all.begin(work); more; more = all.go_on(work)) {
+        const bool ended = all.ended();
+        if (!ended && !on_bounce) continue;
         std::vector<Balance> states = all.states();
         if (on_bounce && !on_bounce(states)) return std::nullopt;
-        if (all.ended()) return states;
+        if (ended) return states;
     }
     return std::nullopt;
 }

@@ -128,6 +128,8 @@ TEST(SidesOfLight, a_closed_room_of_reflectance_1_with_one_dark_wall_is_solved) 
     EXPECT_TRUE(found.converged);
     EXPECT_LE(found.products, 40);
     EXPECT_LE(error_within_bound(room, found, *balance(room.input(), {100'000, 1e-8}, {2})), 1e-4);
+    for (float& factor : room.factors.values) factor *= 1.001F;  // rows kept in few bits seem to gain light
+    EXPECT_TRUE(solve(room, {1000, 1e-4}).converged);
 }
 
 TEST(SidesOfLight, a_closed_room_of_reflectance_1_has_no_balance_and_says_so) {
