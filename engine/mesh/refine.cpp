@@ -63,8 +63,8 @@ std::vector<Polygon> halves_of(const Polygon& polygon, const Vec3& place, const 
 
 class Refiner {
 public:
-    Refiner(const Mesh& coarse, std::span<const char> split)
-        : coarse_(coarse), split_(split), same_place_(tolerance::same_place * diameter_of(coarse)) {}
+    Refiner(const Mesh& coarse, const PatchParts& parts)
+        : coarse_(coarse), parts_(parts), same_place_(tolerance::same_place * diameter_of(coarse)) {}
 
     RefinedMesh build() {
         for (const MeshFace& face : coarse_.faces) add_face(face);
@@ -91,13 +91,9 @@ private:
 
     void add_patch(const MeshFace& face, std::uint32_t number, PlaceIndex& places) {
         const Patch& whole = coarse_.patches[number];
-        std::vector<Polygon> parts{whole.outline};
-        if (split_[number]) {
-            const Vec3 across = glm::cross(face.face.normal, face.face.along);
-            parts = parts_of(whole.outline, face.face.along, across, same_place_);
-        }
-        for (const Polygon& part : parts) {
+        for (const Polygon& part : parts_(PatchId{number})) {
             auto patch = patch_of(face, part, places, same_place_);
+            if (!patch) patch = patch_of(face, whole.outline, places, same_place_);
             if (!patch) continue;
             patch->face = whole.face;
             patch->material = whole.material;
@@ -150,7 +146,7 @@ private:
     }
 
     const Mesh& coarse_;
-    std::span<const char> split_;
+    const PatchParts& parts_;
     double same_place_;
     Mesh mesh_;
     std::vector<PatchId> origin_;
@@ -177,7 +173,15 @@ std::vector<Polygon> parts_of(const Polygon& patch, const Vec3& along, const Vec
 
 RefinedMesh refined(const Mesh& coarse, std::span<const char> split) {
     HANEI_CHECK(split.size() == coarse.patches.size());
-    return Refiner(coarse, split).build();
+    const double same_place = tolerance::same_place * diameter_of(coarse);
+    return in_parts(coarse, [&](PatchId id) -> std::vector<Polygon> {
+        const Patch& patch = coarse[id];
+        if (!split[static_cast<std::size_t>(id)]) return {patch.outline};
+        const Face& face = coarse.faces[patch.face].face;
+        return parts_of(patch.outline, face.along, glm::cross(face.normal, face.along), same_place);
+    });
 }
+
+RefinedMesh in_parts(const Mesh& coarse, const PatchParts& parts) { return Refiner(coarse, parts).build(); }
 
 }  // namespace hanei

@@ -3,6 +3,8 @@
 
 #include "engine/mesh/mesh.h"
 
+#include <functional>
+
 namespace hanei {
 
 struct RefinedMesh {
@@ -22,6 +24,14 @@ struct RefinedMesh {
 ///           the finer ones only (hanging_vertices).
 /// Cost      about that of making the finer mesh.
 RefinedMesh refined(const Mesh& coarse, std::span<const char> split);
+
+/// A mesh that has given parts of another one's patches for patches: for questions asked of parts, such as
+/// which share of every part is visible. A part too thin to be a patch is stood for by the whole patch.
+///
+/// Needs     convex parts that fill their patch, wound as it, at least one of each.
+/// Holds     one patch a part, in the order of patches and of their parts.
+using PatchParts = std::function<std::vector<Polygon>(PatchId)>;
+RefinedMesh in_parts(const Mesh& coarse, const PatchParts& parts);
 
 /// The parts into which `refined` cuts a convex polygon, each with its winding; in rows along `along`.
 /// Needs     a convex polygon in the plane of two unit vectors at right angles.

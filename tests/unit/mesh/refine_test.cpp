@@ -103,6 +103,37 @@ TEST(Refine, every_vertex_on_a_border_looks_into_its_patches) {
     }
 }
 
+TEST(Refine, given_parts_become_patches_in_their_order) {
+    const auto coarse = make_mesh(sample::computer_room(), 0.6);
+    const RefinedMesh fine = in_parts(*coarse, [&](PatchId id) -> std::vector<Polygon> {
+        const Polygon& outline = (*coarse)[id].outline;  // a fan of triangles, the last of them first
+        std::vector<Polygon> fan;
+        for (std::size_t k = outline.size() - 2; k > 0; --k) fan.push_back({outline[0], outline[k], outline[k + 1]});
+        return fan;
+    });
+    expect_sound(*fine.mesh);
+    std::size_t next = 0;
+    for (std::size_t p = 0; p < coarse->patches.size(); ++p) {
+        const Polygon& outline = coarse->patches[p].outline;
+        for (std::size_t k = outline.size() - 2; k > 0; --k, ++next) {
+            ASSERT_LT(next, fine.origin.size());
+            EXPECT_EQ(static_cast<std::size_t>(fine.origin[next]), p);
+            EXPECT_EQ(fine.mesh->patches[next].outline, (Polygon{outline[0], outline[k], outline[k + 1]}));
+        }
+    }
+    EXPECT_EQ(next, fine.mesh->patches.size());
+}
+
+TEST(Refine, a_part_too_thin_to_be_a_patch_is_stood_for_by_the_whole) {
+    const auto coarse = make_mesh(sample::box_room(4.0, 3.0, 2.5), 5.0);
+    const RefinedMesh fine = in_parts(*coarse, [&](PatchId id) -> std::vector<Polygon> {
+        const Polygon& outline = (*coarse)[id].outline;
+        return {outline, {outline[0], outline[1], outline[0]}};
+    });
+    ASSERT_EQ(fine.mesh->patches.size(), 2 * coarse->patches.size());
+    EXPECT_EQ(fine.mesh->patches[1].outline, coarse->patches[0].outline);
+}
+
 TEST(Refine, a_long_patch_is_cut_across_its_length_only) {
     const Polygon desk_edge{{0, 0, 0}, {1.8, 0, 0}, {1.8, 0.03, 0}, {0, 0.03, 0}};
     const std::vector<Polygon> parts = parts_of(desk_edge, along, across, 1e-9);
