@@ -1,12 +1,12 @@
 #include "engine/base/tiles.h"
 
 #include "engine/base/check.h"
+#include "engine/base/helpers.h"
 
 #include <algorithm>
 #include <exception>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 namespace hanei {
 
@@ -36,10 +36,10 @@ bool for_each_tile(std::size_t count, std::size_t tile_size, const Work& work,
         }
     };
 
-    const std::size_t helpers = std::min<std::size_t>(static_cast<std::size_t>(std::max(1, work.threads)), tiles);
-    {
-        std::vector<std::jthread> threads;
-        for (std::size_t k = 1; k < helpers; ++k) threads.emplace_back(worker);
+    const std::size_t workers = std::min<std::size_t>(static_cast<std::size_t>(std::max(1, work.threads)), tiles);
+    if (workers > 1) {
+        Helpers::of_program().share(static_cast<int>(workers) - 1, worker);
+    } else {
         worker();
     }
     if (failure) std::rethrow_exception(failure);

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace hanei {
@@ -40,6 +41,33 @@ TEST(Tiles, progress_runs_to_one) {
     for_each_tile(50, 7, {2, {}, &progress}, [](std::size_t, std::size_t) {});
     EXPECT_EQ(progress.fraction(), 1.0F);
     EXPECT_EQ(progress.stage(), Stage::direct);
+}
+
+TEST(Tiles, within_tiles_are_all_visited) {
+    std::vector<int> visits(20 * 30, 0);
+    for_each_tile(20, 1, {3, {}, nullptr}, [&](std::size_t outer, std::size_t) {
+        for_each_tile(30, 4, {3, {}, nullptr}, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) ++visits[outer * 30 + k];
+        });
+    });
+    EXPECT_EQ(visits, std::vector<int>(20 * 30, 1));
+}
+
+TEST(Tiles, of_several_callers_at_once_are_all_visited) {
+    std::vector<std::vector<int>> visits(4, std::vector<int>(500, 0));
+    {
+        std::vector<std::jthread> callers;
+        for (std::vector<int>& mine : visits) {
+            callers.emplace_back([&mine] {
+                for (int turn = 0; turn < 50; ++turn) {
+                    for_each_tile(mine.size(), 8, {3, {}, nullptr}, [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t k = begin; k < end; ++k) ++mine[k];
+                    });
+                }
+            });
+        }
+    }
+    for (const std::vector<int>& mine : visits) EXPECT_EQ(mine, std::vector<int>(500, 50));
 }
 
 TEST(Tiles, an_exception_reaches_the_caller) {
