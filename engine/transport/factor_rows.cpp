@@ -1,13 +1,20 @@
 #include "engine/transport/factor_rows.h"
 
 #include "engine/base/check.h"
+#include "engine/geometry/polygon.h"
 #include "engine/transport/rectangle_kernel.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace hanei {
 
 namespace {
+
+void put_shares(const KernelMiddle& seen, float* columns) {
+    const std::array<double, 4> shares = node_shares(seen);
+    std::transform(shares.begin(), shares.end(), columns, [](double share) { return static_cast<float>(share); });
+}
 
 void put(const Nodes& nodes, const Polygon& outline, const PatchFrame& frame, const Receiver& receiver,
          float* columns) {
@@ -15,18 +22,27 @@ void put(const Nodes& nodes, const Polygon& outline, const PatchFrame& frame, co
         *columns = static_cast<float>(configuration_factor(outline, receiver));
         return;
     }
-    const std::array<double, 4> shares = node_shares(kernel_middle(outline, frame, receiver));
-    std::transform(shares.begin(), shares.end(), columns, [](double share) { return static_cast<float>(share); });
+    put_shares(kernel_middle(outline, frame, receiver), columns);
 }
 
-bool is_below_horizon(const Polygon& outline, const Receiver& receiver, double thickness) {
-    return std::all_of(outline.begin(), outline.end(), [&](const Vec3& corner) {
-        return glm::dot(corner - receiver.position, receiver.normal) <= thickness;
-    });
+/// The light of a rectangle that the horizon cuts along its sides, so that a rectangle is left; nothing
+/// when it cuts otherwise.
+std::optional<KernelMiddle> cut_rectangle(const Polygon& outline, const PatchFrame& frame, const Receiver& receiver) {
+    const Polygon visible = clipped(outline, {receiver.position, receiver.normal}, 0.0);
+    if (!is_rectangle(visible)) return std::nullopt;
+    const PatchFrame left = frame_of(visible, unit_normal(visible), frame.along);
+    const KernelMiddle seen = rectangle_middle(left, receiver);
+    const Vec2 centre = frame.coordinates(left.centre);
+    const Vec2 scale{glm::length(left.along) / glm::length(frame.along),
+                     glm::length(left.across) / glm::length(frame.across)};
+    const Vec2 from_centre = scale * seen.middle;
+    const double product = scale.x * scale.y * seen.product + centre.x * from_centre.y + centre.y * from_centre.x;
+    return KernelMiddle{seen.factor, centre + from_centre, product + centre.x * centre.y};
 }
-bool is_above_horizon(const Polygon& outline, const Receiver& receiver) {
+
+bool is_below_horizon(const Polygon& outline, const Receiver& receiver) {
     return std::all_of(outline.begin(), outline.end(), [&](const Vec3& corner) {
-        return glm::dot(corner - receiver.position, receiver.normal) >= 0.0;
+        return glm::dot(corner - receiver.position, receiver.normal) <= 0.0;
     });
 }
 
@@ -76,16 +92,19 @@ void FactorRows::write_face(std::size_t face, const Receiver& receiver, std::spa
 
 void FactorRows::write_nearby(std::size_t patch, const Receiver& receiver, bool horizon_cuts, float* row) const {
     const Polygon& outline = mesh_.patches[patch].outline;
+    const PatchFrame& frame = frames_[patch];
     float* columns = row + patch * nodes_.per_patch;
-    if (horizon_cuts && is_below_horizon(outline, receiver, 0.0)) {
+    const bool linear = nodes_.elements == Elements::linear;
+    if (horizon_cuts && is_below_horizon(outline, receiver)) {
         std::fill_n(columns, nodes_.per_patch, 0.0F);
-    } else if (!rectangles_[patch] || (horizon_cuts && !is_above_horizon(outline, receiver))) {
-        put(nodes_, outline, frames_[patch], receiver, columns);
-    } else if (nodes_.elements == Elements::constant) {
-        *columns = static_cast<float>(rectangle_factor(frames_[patch], receiver));
+    } else if (!rectangles_[patch]) {
+        put(nodes_, outline, frame, receiver, columns);
+    } else if (!horizon_cuts || is_above_horizon(outline, receiver)) {
+        if (linear) return put_shares(rectangle_middle(frame, receiver), columns);
+        *columns = static_cast<float>(rectangle_factor(frame, receiver));
     } else {
-        const std::array<double, 4> shares = node_shares(rectangle_middle(frames_[patch], receiver));
-        std::transform(shares.begin(), shares.end(), columns, [](double share) { return static_cast<float>(share); });
+        const auto seen = linear ? cut_rectangle(outline, frame, receiver) : std::nullopt;
+        seen ? put_shares(*seen, columns) : put(nodes_, outline, frame, receiver, columns);
     }
 }
 

@@ -22,8 +22,9 @@ namespace hanei {
 /// Holds     no coefficient is below 0; those of a patch add up to its form factor to 1e-4 of it (2e-4
 ///           where the horizon nearly cuts it), rows of a closed room to 1 within 3e-6. A row's bits depend on its
 ///           receiver alone, not on those beside it. Any number of threads may write at once.
-/// Cost      see tests/bench: a receiver and a patch, 2 to 5 ns for constant elements, twice as much for
-///           linear ones; up to 1 us for a patch that is not a rectangle and nearby, or cut by the horizon.
+/// Cost      a receiver and a patch of an empty room 7, 4, 2.5 ns among 500, 1000, 2000 patches, twice that
+///           for linear elements; in a furnished room twice that again, most of it for patches that the
+///           horizon cuts. 1 us a patch to make it.
 class FactorRows {
 public:
     FactorRows(const Mesh& mesh, const Nodes& nodes);

@@ -50,15 +50,26 @@ HANEI_INLINE void fours_by(const FlatReceiver& receiver, const std::array<const 
     }
 }
 
-HANEI_INLINE std::array<float, 4> sums_by(const FlatReceiver& receiver, std::span<const EightPoints> points) {
+HANEI_INLINE float sum_by(const FlatReceiver& receiver, std::span<const EightPoints> points) {
+    const Seen seen(receiver);
+    std::array<float, 8> sums{};
+    for (const EightPoints& eight : points) {
+        for (std::size_t q = 0; q < 8; ++q) sums[q] += eight.weights[q] * seen.kernel(eight.u[q], eight.v[q]);
+    }
+    return seen.height * (((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7])));
+}
+
+HANEI_INLINE std::array<float, 4> sums_by(const FlatReceiver& receiver, std::span<const EightPoints> points,
+                                          const FourSums* weights) {
     const Seen seen(receiver);
     std::array<float, 4> even{}, odd{};
     for (const EightPoints& eight : points) {
+        const FourSums& weight = *weights++;
         std::array<float, 8> values;
         for (std::size_t q = 0; q < 8; ++q) values[q] = seen.kernel(eight.u[q], eight.v[q]);
         for (std::size_t q = 0; q < 8; q += 2) {
-            for (std::size_t k = 0; k < 4; ++k) even[k] += eight.weights[q][k] * values[q];
-            for (std::size_t k = 0; k < 4; ++k) odd[k] += eight.weights[q + 1][k] * values[q + 1];
+            for (std::size_t k = 0; k < 4; ++k) even[k] += weight[q][k] * values[q];
+            for (std::size_t k = 0; k < 4; ++k) odd[k] += weight[q + 1][k] * values[q + 1];
         }
     }
     std::array<float, 4> total;
@@ -85,8 +96,12 @@ HANEI_WIDE void fours_wide(const FlatReceiver& receiver, const std::array<const 
                            const std::array<const float*, 4>& v, std::span<const float> weights, float* sums) {
     fours_by(receiver, u, v, weights, sums);
 }
-HANEI_WIDE std::array<float, 4> sums_wide(const FlatReceiver& receiver, std::span<const EightPoints> points) {
-    return sums_by(receiver, points);
+HANEI_WIDE float sum_wide(const FlatReceiver& receiver, std::span<const EightPoints> points) {
+    return sum_by(receiver, points);
+}
+HANEI_WIDE std::array<float, 4> sums_wide(const FlatReceiver& receiver, std::span<const EightPoints> points,
+                                          const FourSums* weights) {
+    return sums_by(receiver, points, weights);
 }
 
 }  // namespace
@@ -101,8 +116,13 @@ void kernel_at_fours(const FlatReceiver& receiver, const std::array<const float*
     wide_registers ? fours_wide(receiver, u, v, weights, sums) : fours_by(receiver, u, v, weights, sums);
 }
 
-std::array<float, 4> kernel_sums(const FlatReceiver& receiver, std::span<const EightPoints> points) {
-    return wide_registers ? sums_wide(receiver, points) : sums_by(receiver, points);
+float kernel_sum(const FlatReceiver& receiver, std::span<const EightPoints> points) {
+    return wide_registers ? sum_wide(receiver, points) : sum_by(receiver, points);
+}
+
+std::array<float, 4> kernel_sums(const FlatReceiver& receiver, std::span<const EightPoints> points,
+                                 const FourSums* weights) {
+    return wide_registers ? sums_wide(receiver, points, weights) : sums_by(receiver, points, weights);
 }
 
 }  // namespace hanei

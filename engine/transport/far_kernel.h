@@ -19,11 +19,13 @@ struct FlatReceiver {
     float normal_u = 0.0F, normal_v = 0.0F, normal_height = 0.0F;
 };
 
-/// Eight points and what the kernel at each adds to four sums. Points to spare weigh nothing.
+/// Eight points and what the kernel at each adds to a sum. Points to spare weigh nothing.
 struct EightPoints {
     std::array<float, 8> u{}, v{};
-    std::array<std::array<float, 4>, 8> weights{};  ///< of each point
+    std::array<float, 8> weights{};
 };
+/// The same for four sums.
+using FourSums = std::array<std::array<float, 4>, 8>;
 
 /// sums[k] = weights[k] K at (u[k], v[k]), 0 behind the horizon.
 /// Cost      0.4 ns a point (registers of eight).
@@ -34,7 +36,9 @@ void kernel_at_points(const FlatReceiver& receiver, std::span<const float> u, st
 void kernel_at_fours(const FlatReceiver& receiver, const std::array<const float*, 4>& u,
                      const std::array<const float*, 4>& v, std::span<const float> weights, float* sums);
 
-/// Sums over eights of points with their weights; none below 0.
-std::array<float, 4> kernel_sums(const FlatReceiver& receiver, std::span<const EightPoints> points);
+/// Sum over eights of points, and four sums with weights of their own; none below 0.
+float kernel_sum(const FlatReceiver& receiver, std::span<const EightPoints> points);
+std::array<float, 4> kernel_sums(const FlatReceiver& receiver, std::span<const EightPoints> points,
+                                 const FourSums* weights);
 
 }  // namespace hanei

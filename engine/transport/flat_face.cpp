@@ -73,6 +73,8 @@ FlatFace::FlatFace(const Mesh& mesh, const MeshFace& face, Elements elements, st
         unit_ = std::max(unit_, farthest_corner(mesh.patches[p].outline, origin_));
     }
     first_points_.push_back(0);
+    points_.reserve(face.patch_count);
+    if (linear_) node_weights_.reserve(face.patch_count);
     for (std::size_t p = face.first_patch; p < last; ++p) {
         add_patch(mesh.patches[p], frames[p]);
     }
@@ -107,56 +109,55 @@ void FlatFace::add_patch(const Patch& patch, const PatchFrame& frame) {
     if (is_rectangle(patch.outline)) {
         const double a = std::sqrt(3.0) * glm::length(frame.along) / unit_;
         const double b = std::sqrt(3.0) * glm::length(frame.across) / unit_;
-        far = far_of_rectangle * std::pow(std::pow(a, 4) + std::pow(b, 4), 1.0 / 4.0);
-        near = near_of_rectangle * std::pow(std::pow(a, 6) + std::pow(b, 6), 1.0 / 6.0);
+        far = far_of_rectangle * std::sqrt(std::sqrt(a * a * a * a + b * b * b * b));
+        near = near_of_rectangle * std::sqrt(std::cbrt(a * a * a * a * a * a + b * b * b * b * b * b));
     }
     far_square_.push_back(static_cast<float>(far * far));
     near_square_.push_back(static_cast<float>(near * near));
     add_points(patch, frame);
 }
 
-EightPoints& FlatFace::add_eight(const Vec3& spare) {
+void FlatFace::add_eight(const Vec3& spare) {
     EightPoints& eight = points_.emplace_back();
     eight.u.fill(flat_u(spare));
     eight.v.fill(flat_v(spare));
-    return eight;
+    if (linear_) node_weights_.emplace_back();
 }
 
 void FlatFace::add_points(const Patch& patch, const PatchFrame& frame) {
     if (is_rectangle(patch.outline)) {
-        EightPoints& eight = add_eight(patch.centre);
+        add_eight(patch.centre);
         const double half = std::sqrt(3.0);
         for (std::size_t k = 0; k < on_square.size(); ++k) {
             const FlatPoint& point = on_square[k];
-            add_point(eight, k, frame.place(half * point.x, half * point.y), patch.area * point.weight, frame);
+            add_point(k, frame.place(half * point.x, half * point.y), patch.area * point.weight, frame);
         }
     } else {
         const Polygon& corners = patch.outline;
         for (std::size_t c = 2; c < corners.size(); ++c) {
-            EightPoints& eight = add_eight(patch.centre);
+            add_eight(patch.centre);
             const Vec3 a = corners[c - 1] - corners[0], b = corners[c] - corners[0];
             const double area = 0.5 * glm::length(glm::cross(a, b));
             for (std::size_t k = 0; k < on_triangle.size(); ++k) {
                 const FlatPoint& point = on_triangle[k];
-                add_point(eight, k, corners[0] + point.x * a + point.y * b, area * point.weight, frame);
+                add_point(k, corners[0] + point.x * a + point.y * b, area * point.weight, frame);
             }
         }
     }
     first_points_.push_back(static_cast<std::uint32_t>(points_.size()));
 }
 
-void FlatFace::add_point(EightPoints& eight, std::size_t k, const Vec3& place, double area, const PatchFrame& frame) {
+void FlatFace::add_point(std::size_t k, const Vec3& place, double area, const PatchFrame& frame) {
+    EightPoints& eight = points_.back();
     eight.u[k] = flat_u(place);
     eight.v[k] = flat_v(place);
     const double weight = area / (std::numbers::pi * unit_ * unit_);
-    if (!linear_) {
-        eight.weights[k][0] = static_cast<float>(weight);
-        return;
-    }
+    eight.weights[k] = static_cast<float>(weight);
+    if (!linear_) return;
     const Vec2 at = frame.coordinates(place);
     for (unsigned node = 0; node < 4; ++node) {
         const double x = node & 1U ? at.x : -at.x, y = node & 2U ? at.y : -at.y;
-        eight.weights[k][node] = static_cast<float>(0.25 * weight * (1.0 + x) * (1.0 + y));
+        node_weights_.back()[k][node] = static_cast<float>(0.25 * weight * (1.0 + x) * (1.0 + y));
     }
 }
 
@@ -203,12 +204,12 @@ bool FlatFace::write_by_points(std::size_t patch, const FlatReceiver& receiver, 
     if (square_of_distance(patch, receiver) < near_square_[patch]) return false;
     if (horizon_cuts && may_be_cut(patch, receiver)) return false;
     const std::size_t first = first_points_[patch];
-    const std::array<float, 4> sums =
-        kernel_sums(receiver, std::span(points_).subspan(first, first_points_[patch + 1] - first));
+    const std::span<const EightPoints> points(&points_[first], first_points_[patch + 1] - first);
     if (linear_) {
+        const std::array<float, 4> sums = kernel_sums(receiver, points, &node_weights_[first]);
         std::copy(sums.begin(), sums.end(), columns + 4 * patch);
     } else {
-        columns[patch] = sums[0];
+        columns[patch] = kernel_sum(receiver, points);
     }
     return true;
 }

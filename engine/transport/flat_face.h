@@ -39,8 +39,8 @@ public:
 private:
     void add_patch(const Patch& patch, const PatchFrame& frame);
     void add_points(const Patch& patch, const PatchFrame& frame);
-    EightPoints& add_eight(const Vec3& spare);
-    void add_point(EightPoints& eight, std::size_t k, const Vec3& place, double area, const PatchFrame& frame);
+    void add_eight(const Vec3& spare);
+    void add_point(std::size_t k, const Vec3& place, double area, const PatchFrame& frame);
     float flat_u(const Vec3& place) const;
     float flat_v(const Vec3& place) const;
 
@@ -57,6 +57,7 @@ private:
     std::vector<float> weights_;                         ///< linear: one a node, constant: one a patch
     std::vector<float> centre_u_, centre_v_, far_square_, near_square_, extent_u_, extent_v_;
     std::vector<EightPoints> points_;
+    std::vector<FourSums> node_weights_;       ///< one an eight, of linear elements
     std::vector<std::uint32_t> first_points_;  ///< one a patch and one past the end
 };
 

@@ -26,24 +26,21 @@ public:
     MiddleOfParts(const Receiver& receiver, const PatchFrame& whole)
         : receiver_(receiver), whole_(whole), front_(glm::normalize(glm::cross(whole.along, whole.across))) {}
 
-    void add(const Polygon& part, int depth) {
-        const PatchFrame frame = frame_of(part, front_, part[1] - part[0]);
-        const Vec3 seen = frame.centre - receiver_.position;
+    /// Needs     a part above the horizon, with its frame and its form factor.
+    void add(const Polygon& part, const PatchFrame& frame, double factor, int depth) {
+        if (factor <= 0.0) return;
         double reach = 0.0;
         for (const Vec3& corner : part) reach = std::max(reach, glm::length(corner - frame.centre));
-        const bool far = reach <= far_reach * glm::length(seen);
-        if (!far && depth < deepest) {
-            for (const Polygon& quarter : quarters_of(part, frame)) {
-                if (unit_normal(quarter) != Vec3{0.0}) add(quarter, depth + 1);
-            }
-            return;
-        }
-        const double factor = configuration_factor(part, receiver_);
-        if (factor <= 0.0) return;
-        if (far) {
+        if (reach <= far_reach * glm::length(frame.centre - receiver_.position)) {
             add_far(frame, factor);
-        } else {
+        } else if (depth == deepest) {
             add_at(frame.centre, factor);
+        } else {
+            for (const Polygon& quarter : quarters_of(part, frame)) {
+                if (unit_normal(quarter) == Vec3{0.0}) continue;
+                const PatchFrame around = frame_of(quarter, front_, frame.along);
+                add(quarter, around, configuration_factor(quarter, receiver_), depth + 1);
+            }
         }
     }
 
@@ -87,12 +84,23 @@ KernelMiddle kernel_middle(const Polygon& polygon, const PatchFrame& frame, cons
     KernelMiddle seen;
     seen.factor = configuration_factor(polygon, receiver);
     if (seen.factor <= 0.0) return seen;
-    const Polygon visible = clipped(polygon, {receiver.position, receiver.normal}, 0.0);
     MiddleOfParts parts(receiver, frame);
-    if (unit_normal(visible) != Vec3{0.0}) parts.add(visible, 0);
+    if (is_above_horizon(polygon, receiver)) {
+        parts.add(polygon, frame, seen.factor, 0);
+    } else {
+        const Polygon visible = clipped(polygon, {receiver.position, receiver.normal}, 0.0);
+        const Vec3 front = unit_normal(visible);
+        if (front != Vec3{0.0}) parts.add(visible, frame_of(visible, front, frame.along), seen.factor, 0);
+    }
     // a receiver in the polygon's plane: all its light comes from where it touches
     parts.write_middle(seen, receiver.position);
     return seen;
+}
+
+bool is_above_horizon(const Polygon& polygon, const Receiver& receiver) {
+    return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
+        return glm::dot(corner - receiver.position, receiver.normal) >= 0.0;
+    });
 }
 
 std::array<double, 4> node_shares(const KernelMiddle& seen) {

@@ -29,6 +29,8 @@ struct KernelMiddle {
 /// Cost      0.2 us where the receiver is far, up to 100 us where it touches.
 KernelMiddle kernel_middle(const Polygon& polygon, const PatchFrame& frame, const Receiver& receiver);
 
+bool is_above_horizon(const Polygon& polygon, const Receiver& receiver);
+
 /// Coefficients of the four nodes: F/4 (1 +- xi +- eta +- product), with the middle kept between the
 /// nodes and the product where no coefficient is below 0.
 /// Returns   four values of 0 or more that add up to the factor.
