@@ -4,10 +4,14 @@
 in vec2 flat_place;
 flat in vec4 cell_sides;
 flat in vec2 cell_corner;
-flat in float reflectance;
+flat in vec3 reflectance;
 flat in vec4 corner_lux;
+flat in vec4 corner_red;
+flat in vec4 corner_green;
+flat in vec4 corner_blue;
 
 uniform bool photo;
+uniform bool coloured_light;  // else every band has the lux
 uniform int steps;            // 0 logarithmic, 1 linear, 2 bands
 uniform vec2 lux_range;
 uniform sampler2D colours;    // 256 x 1
@@ -34,9 +38,11 @@ vec2 bilinear_coordinates(vec2 place) {
     return vec2(dot(place - v * f, row) / max(dot(row, row), 1e-30), v);
 }
 
-float lux_at(vec2 uv) {
-    return mix(mix(corner_lux.x, corner_lux.y, uv.x), mix(corner_lux.w, corner_lux.z, uv.x), uv.y);
+float between(vec4 corners, vec2 uv) {
+    return mix(mix(corners.x, corners.y, uv.x), mix(corners.w, corners.z, uv.x), uv.y);
 }
+
+float lux_at(vec2 uv) { return between(corner_lux, uv); }
 
 float scale_position(float lux) {
     if (steps == 1) return (lux - lux_range.x) / (lux_range.y - lux_range.x);
@@ -71,11 +77,11 @@ float line_cover(float lux, float steepness, out float line_lux) {
     return sloped * apart * clamp(0.5 * line_width + 0.5 - nearest / max(steepness, 1e-9), 0.0, 1.0);
 }
 
-vec3 photograph(float lux) {
-    float shown = exposure * reflectance * lux / 3.14159265;
-    shown = shown * pow(max(shown, 1e-6), 0.18);   // a film's contrast about the middle
+vec3 photograph(vec3 lux) {
+    vec3 shown = exposure * reflectance * lux / 3.14159265;
+    shown = shown * pow(max(shown, vec3(1e-6)), vec3(0.18));   // a film's contrast about the middle
     float white = 8.0;   // what the shoulder brings to full white, in middle exposures
-    float toned = clamp(shown * (1.0 + shown / (white * white)) / (1.0 + shown), 0.0, 1.0);
+    vec3 toned = clamp(shown * (1.0 + shown / (white * white)) / (1.0 + shown), 0.0, 1.0);
     vec3 linear = toned * mix(vec3(0.93, 0.98, 1.07), vec3(1.0, 0.985, 0.95), toned);
     vec3 low = 12.92 * linear, high = 1.055 * pow(max(linear, 1e-6), vec3(1.0 / 2.4)) - 0.055;
     return mix(low, high, step(vec3(0.0031308), linear));
@@ -88,7 +94,9 @@ void main() {
     float steepness = length(vec2(dFdx(smooth_log), dFdy(smooth_log)));
     float lux = lux_at(clamp(uv, 0.0, 1.0));
     if (photo) {
-        colour = vec4(photograph(lux), 1.0);
+        vec2 inside = clamp(uv, 0.0, 1.0);
+        vec3 bands = vec3(between(corner_red, inside), between(corner_green, inside), between(corner_blue, inside));
+        colour = vec4(photograph(coloured_light ? bands : vec3(lux)), 1.0);
         return;
     }
     float position = scale_position(lux);

@@ -28,7 +28,8 @@ std::vector<std::string> names_of(const Scene& scene, const std::vector<ObjectId
     std::vector<std::string> names;
     for (const ObjectId id : materials) {
         const Material* const material = find_material(scene, id);
-        names.push_back(material->name.empty() ? "material " + std::to_string(id.value) : material->name);
+        std::string& name = names.emplace_back("material " + std::to_string(id.value));
+        if (!material->name.empty()) name.assign(1, '"').append(material->name).append(1, '"');
     }
     return names;
 }

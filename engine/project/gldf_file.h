@@ -35,13 +35,14 @@ struct GldfEmitter {
     std::string id;
     std::string kind;  ///< "FixedLightEmitter", "ChangeableLightEmitter", "MultiChannelLightEmitter", "SensorEmitter"
     std::string name;  ///< the emitter's, or the channel's
-    std::string photometry;             ///< id; empty for a sensor
-    std::optional<double> rated_flux;   ///< lm the luminaire emits
-    std::optional<double> lamp_flux;    ///< lm of all its changeable lamps together
-    std::optional<double> input_watts;  ///< of its light sources and gear
-    std::string emergency;              ///< "", "None", "EmergencyOnly", "Combined"
-    double turn_deg = 0.0;              ///< about the vertical (G0)
-    bool tilted = false;                ///< turned about other axes too, which a photometry cannot say
+    std::string photometry;                    ///< id; empty for a sensor
+    std::optional<double> rated_flux;          ///< lm the luminaire emits
+    std::optional<double> lamp_flux;           ///< lm of all its changeable lamps together
+    std::optional<double> input_watts;         ///< of its light sources and gear
+    std::optional<double> colour_temperature;  ///< K, of its light source
+    std::string emergency;                     ///< "", "None", "EmergencyOnly", "Combined"
+    double turn_deg = 0.0;                     ///< about the vertical (G0)
+    bool tilted = false;                       ///< turned about other axes too, which a photometry cannot say
 };
 
 struct GldfVariant {

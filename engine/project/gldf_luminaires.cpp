@@ -1,6 +1,7 @@
 #include "engine/project/gldf_luminaires.h"
 
 #include "engine/project/number_text.h"
+#include "engine/scene/colour.h"
 #include "engine/scene/intensity.h"
 
 #include <cmath>
@@ -71,6 +72,8 @@ Photometry with_product(const GldfListing& listing, const GldfVariant& variant, 
     add("GLDF emitter", emitter.name.empty() ? emitter.id : emitter.name);
     add("GLDF emergency behaviour", emitter.emergency);
     if (emitter.rated_flux) add("GLDF rated flux", fmt::format("{} lm", *emitter.rated_flux));
+    if (emitter.colour_temperature)
+        add(std::string(colour_temperature_keyword).c_str(), fmt::format("{:g} K", *emitter.colour_temperature));
     photometry.keywords.insert(photometry.keywords.begin(), keywords.begin(), keywords.end());
     return photometry;
 }

@@ -111,6 +111,8 @@ void add_equipment(const LightSources& all, Numbers& numbers, const pugi::xml_no
     const auto found = all.equipments.find(attribute_of(node.child("EquipmentReference"), "equipmentId"));
     if (found == all.equipments.end()) return;
     const pugi::xml_node equipment = found->second;
+    const pugi::xml_node colour = source_of(all, equipment).child("ColorInformation");
+    if (colour) emitter.colour_temperature = numbers.of(colour, "CorrelatedColorTemperature");
     emitter.input_watts = numbers.of(equipment, "RatedInputPower");
     emitter.lamp_flux = numbers.of(equipment, "RatedLuminousFlux");
     if (emitter.lamp_flux) return;
@@ -140,6 +142,7 @@ void add_emitters(const std::string& id, const pugi::xml_node& node, const Light
     emitter.emergency = attribute_of(node, "emergencyBehaviour");
     const pugi::xml_node source = source_of(all, node);
     emitter.input_watts = numbers.of(source, "RatedInputPower");
+    emitter.colour_temperature = numbers.of(source.child("ColorInformation"), "CorrelatedColorTemperature");
     add_equipment(all, numbers, node, emitter);
     add_rotation(node, numbers, emitter);
     const pugi::xml_node channels = source.child("Channels");

@@ -1,6 +1,7 @@
 #include "engine/report/photometry_report.h"
 
 #include "engine/report/photometry_figures.h"
+#include "engine/scene/colour.h"
 #include "engine/scene/point_certificate.h"
 
 #include <cmath>
@@ -51,6 +52,10 @@ void add_lamps(Lines& lines, const Photometry& photometry) {
         lines.add(label, "{:g} x {}, {:g} lm together, {:g} W, colour {}, rendering {}", set.count,
                   set.type.empty() ? "lamp" : set.type, set.lumens, set.watts, set.colour, set.rendering);
     }
+    const std::optional<double> kelvin = stated_colour_temperature(photometry);
+    lines.add("colour temperature", "{}",
+              kelvin ? fmt::format("{:g} K: a luminaire hung from this file shines so", *kelvin)
+                     : "none in plain kelvin: a luminaire hung from this file is neutral");
     if (photometry.absolute) {
         lines.add("lamps", "absolute photometry");
     } else {

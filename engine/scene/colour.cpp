@@ -1,6 +1,7 @@
 #include "engine/scene/colour.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -45,6 +46,22 @@ double encoded(double linear) {
 
 double decoded(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
 
+/// A number, with or without " K" after it.
+std::optional<double> kelvin_of(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return std::nullopt;
+    text.remove_prefix(first);
+    double kelvin = 0.0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), kelvin);
+    if (fault != std::errc{}) return std::nullopt;
+    std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
+    while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.remove_prefix(1);
+    while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t')) rest.remove_suffix(1);
+    if (!rest.empty() && rest != "K" && rest != "k") return std::nullopt;
+    const bool possible = kelvin >= lowest_colour_temperature && kelvin <= highest_colour_temperature;
+    return possible ? std::optional(kelvin) : std::nullopt;
+}
+
 bool emits_by_itself(const FreeSurface& surface) { return surface.own_exitance.value > 0.0; }
 
 std::set<ObjectId> materials_shown(const Scene& scene) {
@@ -77,6 +94,13 @@ Vec3 light_of_temperature(double kelvin) {
     if (day <= 0.0) return of_unit_luminance(primaries(black_body(t)));
     if (day >= 1.0) return of_unit_luminance(primaries(daylight(t)));
     return of_unit_luminance(glm::mix(primaries(black_body(t)), primaries(daylight(t)), day));
+}
+
+std::optional<double> stated_colour_temperature(const Photometry& photometry) {
+    for (const auto& [keyword, text] : photometry.keywords)
+        if (keyword == colour_temperature_keyword) return kelvin_of(text);
+    if (photometry.lamp_set >= photometry.lamp_sets.size()) return std::nullopt;
+    return kelvin_of(photometry.lamp_sets[photometry.lamp_set].colour);
 }
 
 Vec3 reference_white(const Scene& scene) {

@@ -8,6 +8,8 @@
 #include "engine/scene/scene.h"
 
 #include <array>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace hanei {
@@ -40,6 +42,13 @@ std::array<double, 3> band_reflectances(const Material& material);
 /// Needs     a temperature in the range above; one outside is taken as its nearer end.
 /// Returns   three bands, 0 or more, whose luminance is 1. 6504 K is white within 1e-3.
 Vec3 light_of_temperature(double kelvin);
+
+/// The keyword under which a container states the temperature of an emitter's light, as "3000 K".
+inline constexpr std::string_view colour_temperature_keyword = "GLDF colour temperature";
+
+/// The colour temperature, K, that a luminaire file states in plain figures ("3000", "3000 K") for the
+/// lamps in use; nothing where it says it otherwise ("nw", "830"), or one that lamps cannot have.
+std::optional<double> stated_colour_temperature(const Photometry& photometry);
 
 /// The colour that the project's pictures show as white. Neutral light is sRGB's white: with a neutral
 /// lamp, or a surface that emits by itself, it is {1, 1, 1}. Where every lamp has a temperature, eyes

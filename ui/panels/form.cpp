@@ -13,6 +13,12 @@ namespace {
 
 constexpr float unit_width = 46.0F;  // of "cd/m²", the longest, and a gap
 
+/// Before a name that is indented by six blanks.
+void dot(ImDrawList* list, const ImVec2& corner, ImU32 colour) {
+    const float radius = 4.0F * style::scale();
+    list->AddCircleFilled({corner.x + 2.0F * radius, corner.y + 0.5F * ImGui::GetTextLineHeight()}, radius, colour);
+}
+
 std::string printf_format(int decimals) { return fmt::format("%.{}f", decimals); }
 
 }  // namespace
@@ -98,6 +104,11 @@ bool Form::number(const NumberField& field, double& value) {
 
 bool Form::text(const char* name, const char* label_text, const char* help, std::string& value) {
     label(label_text, help);
+    return typed(name, help, value);
+}
+
+/// The field alone.
+bool Form::typed(const char* name, const char* help, std::string& value) {
     std::string shown = value;
     const bool edited = ImGui::InputText((std::string("##") + name).c_str(), &shown, ImGuiInputTextFlags_AutoSelectAll);
     widgets_.note(name);
@@ -122,21 +133,29 @@ bool Form::toggle(const char* name, const char* label_text, const char* help, bo
 }
 
 bool Form::choice(const char* name, const char* label_text, const char* help, std::span<const std::string> names,
-                  int& chosen) {
+                  int& chosen, std::span<const ImU32> marks) {
     label(label_text, help);
+    ImDrawList* const field = ImGui::GetWindowDrawList();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const char* const indent = marks.empty() ? "" : "      ";
     bool changed = false;
     const bool valid = chosen >= 0 && chosen < static_cast<int>(names.size());
-    const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(),
-                                        valid ? names[static_cast<std::size_t>(chosen)].c_str() : "");
+    const std::string preview = valid ? indent + names[static_cast<std::size_t>(chosen)] : std::string();
+    const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), preview.c_str());
+    if (valid && !marks.empty())
+        dot(field, {at.x + padding.x, at.y + padding.y}, marks[static_cast<std::size_t>(chosen)]);
     widgets_.note(name);
     if (!open) tooltip(help);
     if (open) {
         for (int k = 0; k < static_cast<int>(names.size()); ++k) {
             const std::string& entry = names[static_cast<std::size_t>(k)];
-            if (ImGui::Selectable((entry + "##" + std::to_string(k)).c_str(), k == chosen) && k != chosen) {
+            const ImVec2 corner = ImGui::GetCursorScreenPos();
+            if (ImGui::Selectable((indent + entry + "##" + std::to_string(k)).c_str(), k == chosen) && k != chosen) {
                 chosen = k;
                 changed = true;
             }
+            if (!marks.empty()) dot(ImGui::GetWindowDrawList(), corner, marks[static_cast<std::size_t>(k)]);
             widgets_.note(std::string(name) + "." + entry);
         }
         ImGui::EndCombo();

@@ -4,8 +4,10 @@
 /// elsewhere), so that no half-typed figure is ever solved. Escape gives a typed one up.
 #pragma once
 
+#include "engine/base/vector.h"
 #include "ui/panels/widget_registry.h"
 
+#include <imgui.h>
 #include <span>
 #include <string>
 
@@ -33,7 +35,11 @@ public:
     bool number(const NumberField& field, double& value);
     bool text(const char* name, const char* label, const char* help, std::string& value);
     bool toggle(const char* name, const char* label, const char* help, bool& value);
-    bool choice(const char* name, const char* label, const char* help, std::span<const std::string> names, int& chosen);
+    /// `marks`, one a name when there are any, stand before the names as dots.
+    bool choice(const char* name, const char* label, const char* help, std::span<const std::string> names, int& chosen,
+                std::span<const ImU32> marks = {});
+    /// Encoded sRGB, 0 to 1: a patch of it that opens a picker, and its six hexadecimal digits.
+    bool colour(const char* name, const char* label, const char* help, Vec3& srgb);
     void fact(const char* label, const std::string& value, const char* unit = "");  ///< not for editing
     bool button(const char* name, const char* label, const char* help);
     void remark(const std::string& text, bool warning);  ///< over the whole width
@@ -48,12 +54,14 @@ private:
     void label(const char* text, const char* help);
     void unit(const char* text);
     bool accept_typed(bool edited, bool typing);
+    bool typed(const char* name, const char* help, std::string& value);
 
     WidgetRegistry& widgets_;
     bool finished_ = false;
     unsigned typing_ = 0;  ///< the ImGui item text is being typed into
     double typed_number_ = 0.0;
     std::string typed_text_;
+    Vec3 picked_{0.0};  ///< what the open picker points at, which a surface may be unable to show
 };
 
 /// Shows the text when the last item is hovered.

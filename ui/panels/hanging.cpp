@@ -1,5 +1,6 @@
 #include "ui/panels/hanging.h"
 
+#include "engine/scene/colour.h"
 #include "ui/panels/drag.h"
 #include "ui/panels/luminaire_edits.h"
 #include "ui/view/pick.h"
@@ -72,6 +73,7 @@ Added with_measured_luminaires(Scene scene, std::vector<Photometry> photometries
         x += width_of(photometry) + side_by_side;
         luminaire.opening = MeasuredOpening{};
         luminaire.output = AsMeasured{};
+        luminaire.colour_temperature = stated_colour_temperature(photometry).value_or(0.0);
         luminaire.distribution = Measured{photometry_in(scene, std::move(photometry))};
         scene.luminaires.push_back(std::move(luminaire));
     }

@@ -16,7 +16,7 @@ namespace hanei {
 Vec2 place_in_plan(const Scene& scene, const std::optional<Ray>& ray, double raster);
 
 /// Luminaires of these photometries below the ceiling, side by side along x about the place, each
-/// as its file measures it. The last one is the object that was added.
+/// as its file measures it, in the colour temperature it states. The last one is the object that was added.
 ///
 /// Needs     at least one photometry.
 Added with_measured_luminaires(Scene scene, std::vector<Photometry> photometries, Vec2 place);

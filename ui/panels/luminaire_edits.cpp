@@ -1,5 +1,7 @@
 #include "ui/panels/luminaire_edits.h"
 
+#include "engine/scene/colour.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -67,7 +69,9 @@ Scene with_photometry(Scene scene, ObjectId luminaire, Photometry photometry, bo
 }
 
 Scene with_other_file(Scene scene, ObjectId luminaire, Photometry photometry, bool all) {
+    const std::optional<double> stated = stated_colour_temperature(photometry);
     for (Luminaire* each : affected(scene, luminaire, all)) {
+        each->colour_temperature = stated.value_or(each->colour_temperature);
         if (!std::holds_alternative<Measured>(each->distribution)) each->opening = MeasuredOpening{};
         each->output = AsMeasured{};
     }

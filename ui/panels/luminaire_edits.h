@@ -30,7 +30,8 @@ ObjectId photometry_in(Scene& scene, Photometry photometry);
 Scene with_photometry(Scene scene, ObjectId luminaire, Photometry photometry, bool all);
 
 /// The same from another file: outputs that were set for the old file are as measured again, and
-/// luminaires that were not measured take the file's opening.
+/// luminaires that were not measured take the file's opening. A colour temperature that the file
+/// states is taken over; else the luminaire keeps its own.
 Scene with_other_file(Scene scene, ObjectId luminaire, Photometry photometry, bool all);
 
 /// The intensities turned by a quarter against the opening, counter-clockwise seen from above.

@@ -1,3 +1,4 @@
+#include "engine/scene/colour.h"
 #include "ui/panels/luminaire_edits.h"
 #include "ui/panels/photometry_rows.h"
 #include "ui/panels/properties.h"
@@ -79,6 +80,52 @@ bool output_rows(Luminaire& luminaire, const Photometry* photometry, Form& form)
     return changed;
 }
 
+constexpr std::array<double, 6> usual_temperatures{0.0, 2700.0, 3000.0, 4000.0, 5000.0, 6500.0};  // K
+
+/// One of the usual colour temperatures, or any.
+bool colour_rows(const Scene& scene, Luminaire& luminaire, Form& form) {
+    std::vector<std::string> names;
+    std::vector<ImU32> marks;
+    for (const double kelvin : usual_temperatures) {
+        Luminaire like;
+        like.colour_temperature = kelvin;
+        names.push_back(kelvin > 0.0 ? fmt::format("{:.0f} K", kelvin) : "Neutral");
+        marks.push_back(mark_of(like));
+    }
+    names.emplace_back("Other");
+    marks.push_back(mark_of(luminaire));
+    const auto usual = std::find(usual_temperatures.begin(), usual_temperatures.end(), luminaire.colour_temperature);
+    int chosen = static_cast<int>(usual - usual_temperatures.begin());
+    bool changed = false;
+    if (form.choice("luminaire.colour", "Light colour",
+                    "Colour temperature. Neutral light is what pictures show as white; where every luminaire has a "
+                    "temperature, the mean of them is",
+                    names, chosen, marks)) {
+        constexpr double between_the_usual = 3500.0;
+        const auto place = static_cast<std::size_t>(chosen);
+        luminaire.colour_temperature =
+            place < usual_temperatures.size() ? usual_temperatures[place] : between_the_usual;
+        changed = true;
+    }
+    if (luminaire.colour_temperature > 0.0) {
+        changed |= form.number({"luminaire.temperature", "Temperature", "K", "Colour temperature of the light",
+                                lowest_colour_temperature, highest_colour_temperature, 10.0, 0},
+                               luminaire.colour_temperature);
+        if (is_light_of_one_colour(scene))
+            form.remark("All light has this colour: eyes and pictures take it for white.", false);
+    }
+    return changed;
+}
+
+/// True when pressed: all luminaires shall have the light colour of this one.
+bool is_colour_for_all(const Scene& scene, const Luminaire& luminaire, Form& form) {
+    const bool alike = std::all_of(scene.luminaires.begin(), scene.luminaires.end(), [&](const Luminaire& other) {
+        return other.colour_temperature == luminaire.colour_temperature;
+    });
+    return !alike &&
+           form.button("luminaire.colour_all", "Same for all luminaires", "Gives every luminaire this light colour");
+}
+
 bool distribution_row(Luminaire& luminaire, Form& form) {
     if (!std::holds_alternative<PointOpening>(luminaire.opening)) return false;
     const std::array<std::string, 2> names{"Even all around", "Downward beam"};
@@ -112,6 +159,9 @@ std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form
     changed |= opening_rows(luminaire, form);
     changed |= distribution_row(luminaire, form);
     changed |= output_rows(luminaire, photometry_of(scene, *found), form);
+    changed |= colour_rows(scene, luminaire, form);
+    const bool colour_for_all = is_colour_for_all(scene, *found, form);
+    changed |= colour_for_all;
     form.heading("Place");
     changed |= place_rows("luminaire", luminaire.position, form);
     form.heading("Direction");
@@ -137,6 +187,7 @@ std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form
         const bool dimmed_along =
             !group_before.empty() && other.group == group_before && luminaire.dimming != found->dimming;
         if (dimmed_along) other.dimming = luminaire.dimming;
+        if (colour_for_all) other.colour_temperature = luminaire.colour_temperature;
     }
     return wished;
 }

@@ -1,3 +1,4 @@
+#include "engine/scene/colour.h"
 #include "ui/panels/edit.h"
 #include "ui/panels/properties.h"
 #include "ui/panels/property_rows.h"
@@ -112,9 +113,27 @@ std::optional<Scene> surface_panel(const Scene& scene, ObjectId id, Form& form) 
 std::optional<Scene> material_panel(const Scene& scene, ObjectId id, Form& form) {
     return edited(scene, &Scene::materials, id, [&](Material& material) {
         bool changed = form.text("material.name", "Name", "What this material is called", material.name);
-        changed |= percent_row({"material.reflectance", "Reflectance", "%",
-                                "Share of the arriving luminous flux that leaves again", 0.0, 100.0, 0.2, 1},
-                               material.reflectance, form);
+        // No band can reflect more than all: the deeper a colour, the darker its surface.
+        const double lightest = std::min(1.0, 1.0 / std::max({material.tint.x, material.tint.y, material.tint.z}));
+        changed |= percent_row(
+            {"material.reflectance", "Reflectance", "%",
+             "Share of the arriving luminous flux of neutral light that leaves again", 0.0, 100.0 * lightest, 0.2, 1},
+            material.reflectance, form);
+        Vec3 shown = srgb_from(material);
+        if (form.colour("material.colour", "Colour",
+                        "Hue and saturation beside white paper; how light it is follows from the reflectance", shown)) {
+            material.tint = tint_from_srgb(shown, material.reflectance);
+            changed = true;
+        }
+        if (material.tint == Vec3(1.0)) return changed;
+        if (form.button("material.neutral", "Neutral", "Without colour, of the same reflectance")) {
+            material.tint = Vec3(1.0);
+            changed = true;
+        }
+        constexpr double nearly = 0.999;
+        if (material.reflectance > nearly * lightest)
+            form.remark("This colour can be no lighter: choose a paler one, or a lower reflectance for a deeper one.",
+                        false);
         return changed;
     });
 }

@@ -1,7 +1,7 @@
 #include "ui/panels/object_tree.h"
 
 #include "ui/panels/edit.h"
-#include "ui/panels/form.h"
+#include "ui/panels/property_rows.h"
 #include "ui/panels/style.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ public:
     template <class List>
     void branch(const char* title, const List& list, ImU32 mark, bool open) {
         if (list.empty() || !heading(title, list.size(), open)) return;
-        for (const auto& object : list) leaf(object.id, mark_of(object, mark));
+        for (const auto& object : list) leaf(object.id, mark_in_list(object, mark));
         ImGui::TreePop();
     }
 
@@ -56,17 +56,13 @@ private:
         ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 2.0F * radius, at.y + 0.5F * height}, radius, mark);
     }
 
-    /// A material is shown by its own grey, a dark luminaire by a dark lamp.
+    /// A material is shown in its own colour, a luminaire in that of its light.
     template <class Object>
-    static ImU32 mark_of(const Object& object, ImU32 mark) {
-        if constexpr (requires { object.reflectance; }) {
-            const auto grey = static_cast<float>(0.15 + 0.8 * object.reflectance);
-            return ImGui::ColorConvertFloat4ToU32({grey, grey, grey, 1.0F});
-        } else if constexpr (requires { object.dimming; }) {
-            return object.dimming > 0.0 ? mark : style::quiet_text;
-        } else {
+    static ImU32 mark_in_list(const Object& object, ImU32 mark) {
+        if constexpr (requires { mark_of(object); })
+            return mark_of(object);
+        else
             return mark;
-        }
     }
 
     const Scene& scene_;

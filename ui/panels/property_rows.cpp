@@ -1,5 +1,10 @@
 #include "ui/panels/property_rows.h"
 
+#include "engine/scene/colour.h"
+#include "ui/panels/style.h"
+#include "ui/view/tone.h"
+
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -38,14 +43,30 @@ bool percent_row(const NumberField& field, double& share, Form& form) {
 
 bool material_row(const char* name, const char* label, const Scene& scene, ObjectId& material, Form& form) {
     std::vector<std::string> names;
+    std::vector<ImU32> marks;
     int chosen = -1;
     for (const Material& entry : scene.materials) {
         if (entry.id == material) chosen = static_cast<int>(names.size());
         names.push_back(fmt::format("{} ({:.0f} %)", entry.name, 100.0 * entry.reflectance));
+        marks.push_back(mark_of(entry));
     }
-    if (!form.choice(name, label, "Which material covers it, with its reflectance", names, chosen)) return false;
+    if (!form.choice(name, label, "Which material covers it, with its reflectance", names, chosen, marks)) return false;
     material = scene.materials[static_cast<std::size_t>(chosen)].id;
     return true;
+}
+
+ImU32 mark_of(const Material& material) {
+    const auto [red, green, blue] = band_reflectances(material);
+    const auto shade = [](double reflectance) { return static_cast<float>(0.15 + 0.8 * reflectance); };
+    return ImGui::ColorConvertFloat4ToU32({shade(red), shade(green), shade(blue), 1.0F});
+}
+
+ImU32 mark_of(const Luminaire& luminaire) {
+    if (luminaire.dimming <= 0.0) return style::quiet_text;
+    if (luminaire.colour_temperature <= 0.0) return style::accent;
+    const glm::vec3 light(light_of_temperature(luminaire.colour_temperature));
+    const glm::vec3 shown = encoded_srgb(light / std::max({light.x, light.y, light.z}));
+    return ImGui::ColorConvertFloat4ToU32({shown.x, shown.y, shown.z, 1.0F});
 }
 
 }  // namespace hanei

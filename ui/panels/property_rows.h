@@ -20,4 +20,10 @@ bool percent_row(const NumberField& field, double& share, Form& form);
 /// The choice of one of the scene's materials.
 bool material_row(const char* name, const char* label, const Scene& scene, ObjectId& material, Form& form);
 
+/// How a list marks a material: its colour, light enough to be seen on the ground.
+ImU32 mark_of(const Material& material);
+
+/// How a list marks a luminaire that is lit: lamp light, or the colour it has.
+ImU32 mark_of(const Luminaire& luminaire);
+
 }  // namespace hanei

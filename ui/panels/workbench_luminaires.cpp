@@ -1,3 +1,4 @@
+#include "engine/scene/colour.h"
 #include "ui/panels/hanging.h"
 #include "ui/panels/workbench.h"
 
@@ -116,6 +117,7 @@ void Workbench::finish_arrival() {
     std::size_t remarks = 0;
     for (const Photometry& photometry : arrival.read) remarks += photometry.warnings.size();
     const std::string light = name_of_light(arrival.read.front());
+    const std::optional<double> kelvin = stated_colour_temperature(arrival.read.front());
     const std::size_t count = arrival.read.size();
     if (arrival.replaced) {
         document_.commit(with_other_file(*document_.shown(), arrival.replaced, std::move(arrival.read.front()),
@@ -127,6 +129,7 @@ void Workbench::finish_arrival() {
             count == 1 ? "Add luminaire from file" : "Add luminaires from files");
         message_ = count == 1 ? "Hung " + light : fmt::format("Hung {} luminaires", count);
     }
+    if (kelvin && count == 1) message_ += fmt::format(" · {:g} K as its file states", *kelvin);
     if (remarks > 0) message_ += fmt::format(" · {} remark{} on its file", remarks, remarks == 1 ? "" : "s");
 }
 

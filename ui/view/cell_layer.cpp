@@ -1,3 +1,4 @@
+#include "ui/view/band_light.h"
 #include "ui/view/cell_field.h"
 #include "ui/view/colour_scale.h"
 #include "ui/view/layers.h"
@@ -21,11 +22,17 @@ struct CellVertex {
     glm::vec3 position;
     glm::vec2 flat;
     glm::vec4 sides;
-    glm::vec4 corner_and_shade;
+    glm::vec2 corner;
+    glm::vec3 reflectance;
+};
+
+/// Illuminance at the four corners, band by band.
+struct CellBands {
+    glm::vec4 red, green, blue;
 };
 
 void append_cell(std::vector<CellVertex>& vertices, std::vector<GLuint>& indices, const Solution& solution,
-                 const DisplayCell& cell, double reflectance) {
+                 const DisplayCell& cell, const Vec3& reflectance) {
     const CellFrame frame = frame_of(solution, cell);
     const GLuint first = static_cast<GLuint>(vertices.size());
     Vec3 centre(0.0);
@@ -35,7 +42,7 @@ void append_cell(std::vector<CellVertex>& vertices, std::vector<GLuint>& indices
         const Vec3 place = corner + overlap * (corner - centre);
         const Vec2 flat = frame.flat(place);
         vertices.push_back({glm::vec3(place), glm::vec2(flat), glm::vec4(frame.corner[1], frame.corner[3]),
-                            glm::vec4(frame.corner[2], reflectance, 0.0)});
+                            glm::vec2(frame.corner[2]), glm::vec3(reflectance)});
     }
     indices.insert(indices.end(), {first, first + 1, first + 2});
     if (!frame.triangle) indices.insert(indices.end(), {first, first + 2, first + 3});
@@ -55,7 +62,8 @@ CellLayer::CellLayer() : program_(shaders::cell_vert, shaders::cell_frag) {
     cells_.layout(sizeof(CellVertex), {{0, 3, offsetof(CellVertex, position)},
                                        {1, 2, offsetof(CellVertex, flat)},
                                        {2, 4, offsetof(CellVertex, sides)},
-                                       {3, 4, offsetof(CellVertex, corner_and_shade)}});
+                                       {3, 2, offsetof(CellVertex, corner)},
+                                       {5, 3, offsetof(CellVertex, reflectance)}});
     cells_.layout(sizeof(glm::vec4), {{4, 4, 0}}, 1);
     glGenTextures(1, &colours_);
     glBindTexture(GL_TEXTURE_2D, colours_);
@@ -73,9 +81,9 @@ void CellLayer::set(SolutionSnapshot solution) {
     std::vector<CellVertex> vertices;
     std::vector<GLuint> indices;
     vertices.reserve(4 * solution_->display->cells.size());
-    const PerPatch<double> reflectance = reflectances(*solution_->mesh, *solution_->scene);
+    const std::vector<Vec3> reflectance = patch_colours(*solution_);
     for (const DisplayCell& cell : solution_->display->cells) {
-        append_cell(vertices, indices, *solution_, cell, reflectance[PatchId{cell.patch}]);
+        append_cell(vertices, indices, *solution_, cell, reflectance[cell.patch]);
     }
     cells_.fill(vertices);
     cells_.fill_indices(indices);
@@ -91,7 +99,25 @@ void CellLayer::load_values(LightPart part) {
         values.insert(values.end(), 4, glm::vec4(lux[0], lux[1], lux[2], lux[3]));
     }
     cells_.fill(values, 1);
+    load_bands(part);
     loaded_ = part;
+}
+
+/// Only coloured light needs them: neutral light has the same in every band.
+void CellLayer::load_bands(LightPart part) {
+    const DisplayMesh& display = *solution_->display;
+    if (display.tinted.empty()) return cells_.leave_out({6, 7, 8});
+    const auto four = [](const std::array<double, 4>& lux) { return glm::vec4(lux[0], lux[1], lux[2], lux[3]); };
+    std::vector<CellBands> values;
+    values.reserve(4 * display.cells.size());
+    for (const DisplayCell& cell : display.cells) {
+        const auto [red, green, blue] = bands_at_corners(display, cell, corner_values(display, cell, part));
+        values.insert(values.end(), 4, {four(red), four(green), four(blue)});
+    }
+    cells_.layout(
+        sizeof(CellBands),
+        {{6, 4, offsetof(CellBands, red)}, {7, 4, offsetof(CellBands, green)}, {8, 4, offsetof(CellBands, blue)}}, 2);
+    cells_.fill(values, 2);
 }
 
 void CellLayer::set_scale(const ViewOptions& look) const {
@@ -113,6 +139,7 @@ void CellLayer::draw(const Pass& pass, const ViewOptions& look) {
     program_.use();
     program_.set("to_clip", pass.to_clip);
     program_.set("photo", look.scale == Scale::photo ? 1 : 0);
+    program_.set("coloured_light", solution_->display->tinted.empty() ? 0 : 1);
     program_.set("exposure", static_cast<float>(automatic_exposure_ * std::exp2(look.exposure)));
     program_.set("colour_below", colour_below);
     program_.set("colour_above", colour_above);

@@ -2,6 +2,7 @@
 
 #include "engine/base/check.h"
 #include "engine/base/tiles.h"
+#include "ui/view/band_light.h"
 #include "ui/view/pixel_tiles.h"
 #include "ui/view/sight.h"
 #include "ui/view/surface_light.h"
@@ -123,7 +124,9 @@ std::vector<Painter::Shade> Painter::shaded(std::span<const Vec2> places) const 
         for (std::size_t k = begin; k < end; ++k) {
             Shade& shade = shades[met[k]];
             shade.lux = lux[k - begin];
-            shade.colour = tone_.colour(shade.lux, solution_.display->cells[shade.seen->cell].patch);
+            const DisplayCell& cell = solution_.display->cells[shade.seen->cell];
+            const Vec3 bands = bands_at(*solution_.display, cell, shade.seen->at, shade.lux);
+            shade.colour = tone_.colour(shade.lux, bands, cell.patch);
         }
     }
     return shades;

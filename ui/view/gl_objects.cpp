@@ -62,11 +62,11 @@ void Program::set(const char* name, std::span<const float> values) const {
 
 Vertices::Vertices() {
     glGenVertexArrays(1, &array_);
-    glGenBuffers(3, buffers_);
+    glGenBuffers(4, buffers_);
 }
 
 Vertices::~Vertices() {
-    glDeleteBuffers(3, buffers_);
+    glDeleteBuffers(4, buffers_);
     glDeleteVertexArrays(1, &array_);
 }
 
@@ -81,6 +81,12 @@ void Vertices::layout(std::size_t stride, std::initializer_list<Attribute> attri
     glBindVertexArray(0);
 }
 
+void Vertices::leave_out(std::initializer_list<GLuint> locations) {
+    glBindVertexArray(array_);
+    for (const GLuint location : locations) glDisableVertexAttribArray(location);
+    glBindVertexArray(0);
+}
+
 void Vertices::upload(int buffer, const void* data, std::size_t bytes) const {
     glBindVertexArray(array_);
     glBindBuffer(GL_ARRAY_BUFFER, buffers_[buffer]);
@@ -90,7 +96,7 @@ void Vertices::upload(int buffer, const void* data, std::size_t bytes) const {
 
 void Vertices::fill_indices(const std::vector<GLuint>& indices) {
     glBindVertexArray(array_);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[2]);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[3]);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)), indices.data(),
                  GL_DYNAMIC_DRAW);
     glBindVertexArray(0);

@@ -47,6 +47,7 @@ public:
     Vertices& operator=(const Vertices&) = delete;
 
     void layout(std::size_t stride, std::initializer_list<Attribute> attributes, int buffer = 0);
+    void leave_out(std::initializer_list<GLuint> locations);  ///< until they are laid out (again)
 
     template <class Vertex>
     void fill(const std::vector<Vertex>& vertices, int buffer = 0) {
@@ -61,7 +62,7 @@ public:
 private:
     void upload(int buffer, const void* data, std::size_t bytes) const;
     GLuint array_ = 0;
-    GLuint buffers_[3] = {};  ///< two of vertices, one of indices
+    GLuint buffers_[4] = {};  ///< three of vertices, one of indices
     GLsizei vertex_count_ = 0, index_count_ = 0;
 };
 

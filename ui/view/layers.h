@@ -30,6 +30,7 @@ public:
 
 private:
     void load_values(LightPart part);
+    void load_bands(LightPart part);
     void set_scale(const ViewOptions& look) const;
     gl::Program program_;
     gl::Vertices cells_;

@@ -3,8 +3,8 @@
 /// Cells are interpolated bilinearly in the fragment shader from their four corner values (the
 /// paper's equation 6), so that no diagonal shows. Faces are seen from their lit side only: a room
 /// looked at from outside opens like a doll's house. Before there is a solution, faces are plain
-/// greys by their reflectance. Photos show luminance (reflectance x illuminance / pi) through a
-/// shoulder, exposed for the room's mean; calculation points are left out of them.
+/// in the colours of their materials. Photos show luminance (reflectance x illuminance / pi, band by
+/// band) through a shoulder, exposed for the room's mean; calculation points are left out of them.
 #pragma once
 
 #include "engine/solution/solution.h"

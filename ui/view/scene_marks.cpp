@@ -1,8 +1,11 @@
 #include "engine/geometry/polygon.h"
+#include "engine/scene/colour.h"
 #include "engine/scene/faces.h"
 #include "ui/view/luminaire_shape.h"
 #include "ui/view/marks.h"
+#include "ui/view/tone.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -21,12 +24,23 @@ void append_convex(std::vector<SolidVertex>& vertices, const Polygon& convex, co
     }
 }
 
-/// Grey as a surface of this reflectance looks beside white paper (sRGB of the reflectance).
-glm::vec4 grey_of(const Scene& scene, ObjectId material) {
+/// As a surface of this material looks beside white paper (sRGB of the reflectance), a little paler.
+glm::vec4 plain_colour(const Scene& scene, ObjectId material) {
     const Material* found = find_material(scene, material);
-    const double reflectance = found != nullptr ? found->reflectance : 0.5;
-    const float grey = 0.25F + 0.75F * static_cast<float>(std::pow(std::max(0.0, reflectance), 1.0 / 2.2));
-    return {0.985F * grey, 0.99F * grey, grey, 1.0F};
+    glm::vec3 colour(0.0F);
+    for (int b = 0; b < colour_bands; ++b) {
+        const double reflectance = found != nullptr ? band_reflectances(*found)[b] : 0.5;
+        colour[b] = 0.25F + 0.75F * static_cast<float>(std::pow(reflectance, 1.0 / 2.2));
+    }
+    return {0.985F * colour.x, 0.99F * colour.y, colour.z, 1.0F};
+}
+
+/// A shining opening in the colour of its light: a warm white for neutral light.
+glm::vec4 lamp_colour(const Luminaire& luminaire, const Scene& scene) {
+    const glm::vec3 light(band_output(luminaire, scene));
+    const glm::vec3 colour = encoded_srgb(light / std::max({light.x, light.y, light.z}));
+    constexpr float depth = 0.6F;  // an opening is so bright that eye and film see little of its colour
+    return glm::vec4(glm::vec3(1.0F, 0.992F, 0.94F) * glm::mix(glm::vec3(1.0F), colour, depth), 1.0F);
 }
 
 using EdgeKey = std::array<long long, 6>;
@@ -71,10 +85,10 @@ void add_region(EdgeList& edges, const Region& region, const Vec3& normal, const
 PlainFaces plain_faces(const Scene& scene) {
     PlainFaces plain;
     for (const Face& face : faces_of(scene)) {
-        const glm::vec4 colour = grey_of(scene, face.material);
+        const glm::vec4 colour = plain_colour(scene, face.material);
         for (const Polygon& piece : convex_pieces(face.region)) append_convex(plain.faces, piece, face.normal, colour);
         for (const FaceArea& area : face.areas) {
-            append_convex(plain.sub_areas, area.outline, face.normal, grey_of(scene, area.material));
+            append_convex(plain.sub_areas, area.outline, face.normal, plain_colour(scene, area.material));
         }
     }
     return plain;
@@ -104,8 +118,7 @@ LuminaireMarks luminaire_marks(const Scene& scene) {
     for (const Luminaire& luminaire : scene.luminaires) {
         const LuminaireShape shape = shape_of(luminaire, scene);
         const float on = luminaire.dimming > 0.0 ? 1.0F : 0.0F;
-        const glm::vec4 light =
-            glm::mix(glm::vec4(0.45F, 0.46F, 0.48F, 1.0F), glm::vec4(1.0F, 0.992F, 0.94F, 1.0F), on);
+        const glm::vec4 light = glm::mix(glm::vec4(0.45F, 0.46F, 0.48F, 1.0F), lamp_colour(luminaire, scene), on);
         for (const Polygon& opening : shape.shining)
             append_convex(marks.openings, opening, unit_normal(opening), light);
         for (const auto& [from, to] : shape.outline) marks.outlines.push_back({from, to, ink::luminaire, 1.3F});

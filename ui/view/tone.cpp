@@ -1,5 +1,6 @@
 #include "ui/view/tone.h"
 
+#include "ui/view/band_light.h"
 #include "ui/view/cell_field.h"
 #include "ui/view/colour_scale.h"
 
@@ -43,16 +44,20 @@ double automatic_exposure(const Solution& solution) {
 glm::vec3 encoded_srgb(const glm::vec3& linear) { return {encoded(linear.x), encoded(linear.y), encoded(linear.z)}; }
 glm::vec3 linear_srgb(const glm::vec3& shown) { return {decoded(shown.x), decoded(shown.y), decoded(shown.z)}; }
 
-glm::vec3 photographed(double luminance) {
+glm::vec3 photographed(const Vec3& luminance) {
     constexpr double white = 8.0;  // what the shoulder brings to full white, in middle exposures
-    const double shown = luminance * std::pow(std::max(luminance, 1e-6), 0.18);  // a film's contrast about the middle
-    const double toned = std::clamp(shown * (1.0 + shown / (white * white)) / (1.0 + shown), 0.0, 1.0);
-    const Vec3 tint = glm::mix(Vec3(0.93, 0.98, 1.07), Vec3(1.0, 0.985, 0.95), toned);
-    return glm::vec3(glm::min(toned * tint, Vec3(1.0)));
+    const Vec3 dark{0.93, 0.98, 1.07}, bright{1.0, 0.985, 0.95};
+    Vec3 linear(0.0);
+    for (int b = 0; b < 3; ++b) {
+        const double contrast = std::pow(std::max(luminance[b], 1e-6), 0.18);  // a film's about the middle
+        const double shown = luminance[b] * contrast;
+        const double toned = std::clamp(shown * (1.0 + shown / (white * white)) / (1.0 + shown), 0.0, 1.0);
+        linear[b] = std::min(toned * glm::mix(dark[b], bright[b], toned), 1.0);
+    }
+    return glm::vec3(linear);
 }
 
-Tone::Tone(const Solution& solution, const ViewOptions& look)
-    : options_(look), reflectance_(reflectances(*solution.mesh, *solution.scene)) {
+Tone::Tone(const Solution& solution, const ViewOptions& look) : options_(look), reflectance_(patch_colours(solution)) {
     if (look.scale == Scale::photo) exposure_ = automatic_exposure(solution) * std::exp2(look.exposure);
     if (look.scale == Scale::photo || look.steps != ColourSteps::standard_steps) return;
     borders_ = band_borders(look.range);
@@ -60,9 +65,8 @@ Tone::Tone(const Solution& solution, const ViewOptions& look)
         of_band_.push_back(linear_srgb(colour_of(0.5 * (borders_[k - 1] + borders_[k]), look)));
 }
 
-glm::vec3 Tone::colour(double lux, std::uint32_t patch) const {
-    if (options_.scale == Scale::photo)
-        return photographed(exposure_ * reflectance_[PatchId{patch}] * lux / std::numbers::pi);
+glm::vec3 Tone::colour(double lux, const Vec3& bands, std::uint32_t patch) const {
+    if (options_.scale == Scale::photo) return photographed(exposure_ * reflectance_[patch] * bands / std::numbers::pi);
     if (of_band_.empty() || !(lux >= borders_.front()) || lux > borders_.back())
         return linear_srgb(colour_of(lux, options_));
     const auto above = std::upper_bound(borders_.begin() + 1, borders_.end() - 1, lux);

@@ -17,20 +17,21 @@ double automatic_exposure(const Solution& solution);
 glm::vec3 encoded_srgb(const glm::vec3& linear);
 glm::vec3 linear_srgb(const glm::vec3& encoded);
 
-/// What a photograph shows of a luminance: `shown` is 1 in the middle of the greys. Linear light.
-glm::vec3 photographed(double shown);
+/// What a photograph shows of a luminance in three bands: `shown` is 1 in the middle of the greys.
+/// Linear light. Each band has its own shoulder, so that bright colours fade to white as on film.
+glm::vec3 photographed(const Vec3& shown);
 
 /// Holds     what the scale needs, worked out once. Any thread may ask.
 class Tone {
 public:
     Tone(const Solution& solution, const ViewOptions& options);
 
-    /// Linear light of a place with so much illuminance on a patch.
-    glm::vec3 colour(double lux, std::uint32_t patch) const;
+    /// Linear light of a place on a patch with this illuminance, in bands for photos (band_light.h).
+    glm::vec3 colour(double lux, const Vec3& bands, std::uint32_t patch) const;
 
 private:
     ViewOptions options_;
-    PerPatch<double> reflectance_;
+    std::vector<Vec3> reflectance_;  ///< one a patch, in three bands
     double exposure_ = 1.0;
     std::vector<double> borders_;     ///< lx, of bands
     std::vector<glm::vec3> of_band_;  ///< linear light, between borders

@@ -48,6 +48,15 @@ TEST(LuminairesOfFiles, hang_in_a_row_within_the_room) {
     EXPECT_EQ(added.scene.photometries.size(), 2U);
 }
 
+TEST(LuminairesOfFiles, shine_in_the_colour_temperature_their_file_states) {
+    Photometry warm = downlight(0.2);
+    warm.lamp_sets.resize(1);
+    warm.lamp_sets[0].colour = "2700 K";
+    const Added added = with_measured_luminaires(empty_room(), {warm, downlight(0.4)}, {3.0, 1.0});
+    EXPECT_EQ(added.scene.luminaires[0].colour_temperature, 2700.0);
+    EXPECT_EQ(added.scene.luminaires[1].colour_temperature, 0.0);
+}
+
 TEST(LuminairesOfFiles, share_the_photometry_of_one_file) {
     const Added added = with_measured_luminaires(empty_room(), {downlight(0.2), downlight(0.2)}, {3.0, 1.0});
     EXPECT_EQ(added.scene.photometries.size(), 1U);

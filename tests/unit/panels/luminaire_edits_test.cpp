@@ -87,6 +87,18 @@ TEST(AnotherFile, is_as_measured_again_and_drops_what_nobody_uses) {
     EXPECT_TRUE(std::holds_alternative<AsMeasured>(find_luminaire(scene, made.first)->output));
 }
 
+TEST(AnotherFile, changes_the_light_colour_only_where_it_states_one) {
+    Pair made = pair();
+    for (Luminaire& luminaire : made.scene.luminaires) luminaire.colour_temperature = 3000.0;
+    Scene scene = with_other_file(made.scene, made.first, spot(250.0), true);
+    EXPECT_EQ(find_luminaire(scene, made.first)->colour_temperature, 3000.0);
+    Photometry cold = spot(300.0);
+    cold.lamp_sets.resize(1);
+    cold.lamp_sets[0].colour = "6500";
+    scene = with_other_file(std::move(scene), made.first, cold, true);
+    EXPECT_EQ(find_luminaire(scene, made.second)->colour_temperature, 6500.0);
+}
+
 TEST(AnotherFile, gives_a_luminaire_of_a_formula_the_opening_of_the_file) {
     const Added added = with_panel_luminaire(empty_room());
     const Scene scene = with_other_file(added.scene, added.object, spot(250.0), true);

@@ -1,5 +1,7 @@
 #include "ui/panels/properties.h"
 
+#include "engine/scene/colour.h"
+#include "engine/scene/scene_check.h"
 #include "ui/panels/edit.h"
 #include "ui/panels/key.h"
 #include "ui/panels/style.h"
@@ -155,6 +157,93 @@ TEST_F(APanel, renames_when_the_name_is_finished) {
     EXPECT_EQ(scene.furniture[0].name, "Box 1");
     key(Key::enter);
     EXPECT_EQ(scene.furniture[0].name, "Sideboard");
+}
+
+TEST_F(APanel, takes_a_colour_by_its_digits_and_keeps_the_reflectance) {
+    selected = scene.materials.front().id;
+    const double reflectance = scene.materials.front().reflectance;
+    frames(3);
+    EXPECT_EQ(type_into("material.colour.digits", "#C89060"), 0) << "not before it is finished";
+    EXPECT_EQ(key(Key::enter), 1);
+    const Material& painted = scene.materials.front();
+    EXPECT_EQ(painted.reflectance, reflectance);
+    EXPECT_EQ(painted.tint, tint_from_srgb(Vec3(0xC8, 0x90, 0x60) / 255.0, reflectance));
+    EXPECT_FALSE(has_errors(check_scene(scene)));
+    EXPECT_EQ(type_into("material.colour.digits", "reddish") + key(Key::enter), 0) << "no colour";
+    frames(2);
+    point_at("material.neutral");
+    EXPECT_EQ(hold(true) + hold(false), 1);
+    EXPECT_EQ(scene.materials.front().tint, Vec3(1.0));
+    frames(2);
+    EXPECT_EQ(widgets.find("material.neutral"), nullptr);
+}
+
+TEST_F(APanel, lets_a_deep_colour_be_no_lighter_than_its_band_that_reflects_most) {
+    scene.materials.front().reflectance = 0.1;
+    scene.materials.front().tint = tint_from_srgb({0.8, 0.2, 0.1}, 0.1);
+    selected = scene.materials.front().id;
+    frames(3);
+    type_into("material.reflectance", "90");
+    key(Key::enter);
+    const Material& painted = scene.materials.front();
+    EXPECT_NEAR(painted.reflectance * painted.tint.x, 1.0, 1e-12);
+    EXPECT_FALSE(has_errors(check_scene(scene)));
+}
+
+TEST_F(APanel, picks_a_colour_with_the_mouse) {
+    selected = scene.materials.front().id;
+    frames(3);
+    point_at("material.colour");
+    hold(true);
+    hold(false);
+    frames(2);
+    const ScreenRect* picker = widgets.find("material.colour.picker");
+    ASSERT_NE(picker, nullptr);
+    ImGui::GetIO().MousePos = {picker->left + 0.6F * (picker->right - picker->left), picker->top + 20.0F};
+    EXPECT_GT(hold(true), 0);
+    hold(false);
+    EXPECT_NE(scene.materials.front().tint, Vec3(1.0));
+    EXPECT_FALSE(has_errors(check_scene(scene)));
+}
+
+TEST_F(APanel, gives_a_luminaire_a_usual_colour_temperature_or_any) {
+    show(with_panel_luminaire(scene));
+    const auto choose = [&](const char* entry) {
+        point_at("luminaire.colour");
+        hold(true);
+        hold(false);
+        frames(3);
+        point_at(entry);
+        const int changes = hold(true) + hold(false);
+        frames(3);
+        return changes;
+    };
+    EXPECT_EQ(widgets.find("luminaire.temperature"), nullptr) << "neutral light has none";
+    EXPECT_EQ(choose("luminaire.colour.2700 K"), 1);
+    EXPECT_EQ(lamp().colour_temperature, 2700.0);
+    type_into("luminaire.temperature", "3200");
+    key(Key::enter);
+    EXPECT_EQ(lamp().colour_temperature, 3200.0);
+    type_into("luminaire.temperature", "12");
+    key(Key::enter);
+    EXPECT_EQ(lamp().colour_temperature, lowest_colour_temperature);
+    EXPECT_EQ(choose("luminaire.colour.Other"), 0) << "it is another already";
+    EXPECT_EQ(choose("luminaire.colour.Neutral"), 1);
+    EXPECT_EQ(lamp().colour_temperature, 0.0);
+    EXPECT_EQ(choose("luminaire.colour.Other"), 1);
+    EXPECT_EQ(lamp().colour_temperature, 3500.0);
+}
+
+TEST_F(APanel, gives_its_light_colour_to_all_luminaires_when_asked) {
+    Added first = with_panel_luminaire(scene);
+    Added second = with_point_luminaire(first.scene);
+    show(second);
+    EXPECT_EQ(widgets.find("luminaire.colour_all"), nullptr) << "all are alike";
+    scene.luminaires.back().colour_temperature = 3000.0;
+    frames(3);
+    point_at("luminaire.colour_all");
+    EXPECT_EQ(hold(true) + hold(false), 1);
+    for (const Luminaire& luminaire : scene.luminaires) EXPECT_EQ(luminaire.colour_temperature, 3000.0);
 }
 
 TEST_F(APanel, shows_every_kind_of_object) {

@@ -156,7 +156,7 @@ TEST(Plan, a_coloured_wall_asks_for_three_bands_by_name_and_costs_two_products_m
     const EffectsPlan plan = plan_effects(scene, {});
     const PlannedEffect row = plan.row(Effect::three_bands);
     EXPECT_EQ(row.state, EffectState::simulated);
-    EXPECT_EQ(row.why, "Surfaces have a colour (brick).");
+    EXPECT_EQ(row.why, "Surfaces have a colour (\"brick\").");
     EXPECT_DOUBLE_EQ(row.predicted_ms, 2.0 * plan.row(Effect::bounces).predicted_ms);
     EXPECT_EQ(row.bound_lux, 0.0);
 }

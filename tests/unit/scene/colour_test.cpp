@@ -160,6 +160,28 @@ TEST(Colour, only_a_colour_that_is_seen_and_reflects_makes_a_scene_coloured) {
     EXPECT_TRUE(is_neutral(scene)) << "black has no colour";
 }
 
+TEST(Colour, a_file_states_a_temperature_in_plain_figures_or_not_at_all) {
+    Photometry photometry;
+    EXPECT_EQ(stated_colour_temperature(photometry), std::nullopt) << "no lamps";
+    photometry.lamp_sets.resize(2);
+    photometry.lamp_sets[1].colour = "6500";
+    const auto stated = [&](const char* text) {
+        photometry.lamp_sets[0].colour = text;
+        return stated_colour_temperature(photometry);
+    };
+    for (const char* text : {"3000", "3000K", " 3000 K ", "3000.0", "3e3 k"}) EXPECT_EQ(stated(text), 3000.0) << text;
+    for (const char* text :
+         {"", " ", "nw", "830", "0", "0.5", "3000-4000 K", "3000 K, 90", "-3000", "nan", "inf", "1e99", "K", "30000"})
+        EXPECT_EQ(stated(text), std::nullopt) << text;
+    photometry.lamp_set = 1;
+    EXPECT_EQ(stated("3000"), 6500.0) << "of the lamps in use";
+    photometry.keywords = {{std::string(colour_temperature_keyword), "2700 K"}};
+    EXPECT_EQ(stated("3000"), 2700.0) << "the container goes before the file in it";
+    photometry.lamp_set = 7;
+    photometry.keywords.clear();
+    EXPECT_EQ(stated("3000"), std::nullopt);
+}
+
 TEST(Colour, undo_takes_a_tint_and_a_colour_temperature_back) {
     const Scene before = room_with_lamps({0.0});
     Scene after = before;

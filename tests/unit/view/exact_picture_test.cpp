@@ -216,7 +216,7 @@ TEST(ATone, goes_to_the_screen_and_back) {
     }
     double before = -1.0;
     for (double shown = 0.0; shown < 20.0; shown += 0.01) {
-        const double grey = static_cast<double>(photographed(shown).y);
+        const double grey = static_cast<double>(photographed(Vec3(shown)).y);
         EXPECT_GE(grey, before);
         EXPECT_LE(grey, 1.0);
         before = grey;
