@@ -11,7 +11,9 @@ namespace hanei {
 
 namespace {
 
-constexpr double crowding = 1.5;  ///< q of the crowded grid
+/// q of the crowded grid. Linear elements in empty rooms err least with 2 (a fifth of the error of equal
+/// cells beside edges); where furniture throws shadows amid the faces, the wider cells there cost more.
+constexpr double crowding = 1.5;
 
 /// Coordinates in the plane of a face.
 struct FaceFrame {

@@ -13,18 +13,24 @@ namespace hanei {
 
 std::vector<double> refinement_need(const Mesh& mesh, const MeshLight& light) {
     const std::size_t count = mesh.patches.size();
-    HANEI_CHECK(light.at_vertices.size() == mesh.vertices.size() && light.at_patches.size() == count);
-    HANEI_CHECK(light.reflectance.size() == count);
+    std::size_t corners = 0;
+    for (const Patch& patch : mesh.patches) corners += patch.corners.size();
+    const bool one_a_patch = light.of_elements.size() == count;
+    HANEI_CHECK(one_a_patch || light.of_elements.size() == corners);
+    HANEI_CHECK(light.at_vertices.size() == mesh.vertices.size() && light.reflectance.size() == count);
     HANEI_CHECK(light.importance.empty() || light.importance.size() == count);
     std::vector<double> need(count);
+    std::size_t corner = 0;
     for (std::size_t p = 0; p < count; ++p) {
         const Patch& patch = mesh.patches[p];
-        double least = light.at_patches[p];
-        double greatest = least;
-        for (const VertexId corner : patch.corners) {
-            const double here = light.at_vertices[static_cast<std::size_t>(corner)];
-            least = std::min(least, here);
-            greatest = std::max(greatest, here);
+        double least = 0.0;
+        double greatest = 0.0;
+        for (const VertexId id : patch.corners) {
+            const double said = light.of_elements[one_a_patch ? p : corner];
+            const double missed = light.at_vertices[static_cast<std::size_t>(id)] - said;
+            least = std::min(least, missed);
+            greatest = std::max(greatest, missed);
+            ++corner;
         }
         const double importance = light.importance.empty() ? patch.area : light.importance[p];
         const double found = importance * light.reflectance[p] * (greatest - least);

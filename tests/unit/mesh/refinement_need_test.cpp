@@ -91,6 +91,23 @@ TEST(RefinementNeed, what_reflects_nothing_or_is_not_finite_needs_nothing) {
     EXPECT_EQ(*std::max_element(need.begin(), need.end()), 0.0);
 }
 
+TEST(RefinementNeed, a_slope_that_linear_elements_follow_needs_no_finer_mesh) {
+    const LitMesh room(plain_room(), [](const Vec3& place) { return 50.0 + 20.0 * place.x + 7.0 * place.z; });
+    EXPECT_GT(refinement_need(*room.mesh, room.light())[0], 0.0);
+    std::vector<double> at_corners;
+    for (const Patch& patch : room.mesh->patches) {
+        for (const VertexId id : patch.corners) at_corners.push_back(room.at_vertices[static_cast<std::size_t>(id)]);
+    }
+    MeshLight light = room.light();
+    light.of_elements = at_corners;
+    std::vector<double> need = refinement_need(*room.mesh, light);
+    EXPECT_EQ(*std::max_element(need.begin(), need.end()), 0.0);
+    at_corners[5] -= 3.0;  // the second corner of the second patch
+    need = refinement_need(*room.mesh, light);
+    EXPECT_NEAR(need[1], 0.5 * room.mesh->patches[1].area * 3.0, 1e-12);
+    EXPECT_EQ(std::count_if(need.begin(), need.end(), [](double n) { return n > 0.0; }), 1);
+}
+
 TEST(RefinementNeed, importance_takes_the_place_of_area) {
     LitMesh room(plain_room(), step);
     std::vector<double> importance(room.mesh->patches.size(), 0.0);
