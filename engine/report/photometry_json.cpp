@@ -1,5 +1,6 @@
 #include "engine/report/photometry_figures.h"
 #include "engine/report/photometry_report.h"
+#include "engine/scene/colour.h"
 #include "engine/scene/point_certificate.h"
 
 #include <cmath>
@@ -56,6 +57,7 @@ Json declared_json(const Photometry& photometry, const PhotometryFigures& figure
             {"absolute", photometry.absolute},
             {"lamp_lumens", photometry.lamp_lumens},
             {"lamp_sets", lamp_sets_json(photometry)},
+            {"colour_temperature_k", or_null(stated_colour_temperature(photometry))},
             {"lamp_set", photometry.lamp_set + 1},
             {"input_watts", photometry.input_watts},
             {"candela_per_figure", photometry.candela_per_figure},

@@ -48,6 +48,8 @@ bool Form::colour(const char* name, const char* label_text, const char* help, Ve
         changed = read.has_value();
         srgb = read.value_or(srgb);
     }
+    const ImVec2 corner = ImGui::GetItemRectMax();
+    ImGui::SetNextWindowPos({corner.x, corner.y + 4.0F * style::scale()}, ImGuiCond_Always, {1.0F, 0.0F});
     if (!ImGui::BeginPopup(popup.c_str())) return changed;
     float primaries[3] = {static_cast<float>(picked_.x), static_cast<float>(picked_.y), static_cast<float>(picked_.z)};
     constexpr int bare = ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoLabel;

@@ -3,6 +3,7 @@
 #include "ui/panels/photometry_rows.h"
 #include "ui/panels/properties.h"
 #include "ui/panels/property_rows.h"
+#include "ui/panels/style.h"
 
 #include <algorithm>
 #include <array>
@@ -90,7 +91,7 @@ bool colour_rows(const Scene& scene, Luminaire& luminaire, Form& form) {
         Luminaire like;
         like.colour_temperature = kelvin;
         names.push_back(kelvin > 0.0 ? fmt::format("{:.0f} K", kelvin) : "Neutral");
-        marks.push_back(mark_of(like));
+        marks.push_back(kelvin > 0.0 ? mark_of(like) : style::text);
     }
     names.emplace_back("Other");
     marks.push_back(mark_of(luminaire));

@@ -56,9 +56,10 @@ bool material_row(const char* name, const char* label, const Scene& scene, Objec
 }
 
 ImU32 mark_of(const Material& material) {
-    const auto [red, green, blue] = band_reflectances(material);
-    const auto shade = [](double reflectance) { return static_cast<float>(0.15 + 0.8 * reflectance); };
-    return ImGui::ColorConvertFloat4ToU32({shade(red), shade(green), shade(blue), 1.0F});
+    // Greys by their reflectance, so that they differ as numbers do; colours as the screen shows them.
+    const Vec3 shown = material.tint == Vec3(1.0) ? Vec3(material.reflectance) : srgb_from(material);
+    const auto shade = [](double share) { return static_cast<float>(0.15 + 0.8 * share); };
+    return ImGui::ColorConvertFloat4ToU32({shade(shown.x), shade(shown.y), shade(shown.z), 1.0F});
 }
 
 ImU32 mark_of(const Luminaire& luminaire) {
