@@ -159,6 +159,25 @@ bool enters(Polygon polygon, const std::vector<Plane>& planes, double same_place
     return true;
 }
 
+/// Something of the scene that a solid must not enclose.
+struct Other {
+    Polygon polygon;
+    Box box;
+    std::optional<std::size_t> face;  ///< that it is part of
+
+    Other(Polygon of, std::optional<std::size_t> part_of)
+        : polygon(std::move(of)), box(box_of(polygon)), face(part_of) {}
+
+    static Box box_of(std::span<const Vec3> points) {
+        Box box{points.front(), points.front()};
+        for (const Vec3& point : points) box.include(point);
+        return box;
+    }
+    bool is_beside(const Box& b) const {
+        return glm::any(glm::greaterThan(box.low, b.high)) || glm::any(glm::lessThan(box.high, b.low));
+    }
+};
+
 /// Everything of a scene that has a place, but its faces: each a polygon, a line or a point.
 std::vector<Polygon> places_besides_faces(const Scene& scene) {
     std::vector<Polygon> found;
@@ -185,9 +204,18 @@ std::vector<Polygon> places_besides_faces(const Scene& scene) {
     return found;
 }
 
+std::vector<Other> others_of(const Scene& scene, std::span<const Face> faces) {
+    std::vector<Other> others;
+    for (Polygon& place : places_besides_faces(scene)) others.emplace_back(std::move(place), std::nullopt);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        for (Polygon& piece : pieces_of(faces[f].region, faces[f].normal)) others.emplace_back(std::move(piece), f);
+    }
+    return others;
+}
+
 /// The group closed to a solid, or nothing when its hull is no faithful stand-in.
 std::optional<SolidBody> closed(const Candidates& all, const std::vector<std::size_t>& members,
-                                std::span<const Face> faces, const std::vector<Polygon>& others, double same_place) {
+                                std::span<const Face> faces, const std::vector<Other>& others, double same_place) {
     SolidBody solid;
     std::vector<Plane> planes;
     std::vector<std::vector<std::uint32_t>> loops;
@@ -214,14 +242,14 @@ std::optional<SolidBody> closed(const Candidates& all, const std::vector<std::si
             if (greatest_height(all, loop, plane) > same_place) return std::nullopt;
         }
     }
-    for (const Polygon& other : others) {
-        if (enters(other, planes, same_place)) return std::nullopt;
+    Box box{all.places[loops.front().front()], all.places[loops.front().front()]};
+    for (const auto& loop : loops) {
+        for (const std::uint32_t corner : loop) box.include(all.places[corner]);
     }
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        if (std::binary_search(solid.faces.begin(), solid.faces.end(), f)) continue;
-        for (const Polygon& piece : pieces_of(faces[f].region, faces[f].normal)) {
-            if (enters(piece, planes, same_place)) return std::nullopt;
-        }
+    for (const Other& other : others) {
+        if (other.is_beside(box)) continue;
+        if (other.face && std::binary_search(solid.faces.begin(), solid.faces.end(), *other.face)) continue;
+        if (enters(other.polygon, planes, same_place)) return std::nullopt;
     }
     std::map<std::uint32_t, int> numbers;
     for (const auto& loop : loops) {
@@ -244,7 +272,7 @@ std::vector<SolidBody> convex_caps(const Scene& scene, std::span<const Face> fac
     const std::vector<std::vector<std::size_t>> groups = joined_backwards(all, faces, same_place);
     std::vector<SolidBody> caps;
     if (groups.empty()) return caps;
-    const std::vector<Polygon> others = places_besides_faces(scene);
+    const std::vector<Other> others = others_of(scene, faces);
     for (const auto& members : groups) {
         if (auto solid = closed(all, members, faces, others, same_place)) caps.push_back(std::move(*solid));
     }

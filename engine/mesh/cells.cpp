@@ -40,6 +40,10 @@ struct FlatBox {
     bool meets(const FlatBox& other) const {
         return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
     }
+    /// For what may be a line, which has no width.
+    bool reaches(const FlatBox& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+    }
 };
 
 struct Cutter {
@@ -103,8 +107,15 @@ bool runs_inside(const Crease& crease, const Polygon& polygon, const Vec3& norma
     return (leaves - enters) * length > thickness;
 }
 
-void split(std::vector<Polygon>& parts, std::span<const Crease> creases, const Vec3& normal, double thickness) {
-    for (const Crease& crease : creases) {
+struct FlatCrease {
+    Crease crease;
+    FlatBox box;
+};
+
+void split(std::vector<Polygon>& parts, const FlatBox& cell, const std::vector<FlatCrease>& creases, const Vec3& normal,
+           double thickness) {
+    for (const auto& [crease, box] : creases) {
+        if (!box.reaches(cell)) continue;
         const Vec3 left = glm::cross(normal, glm::normalize(crease.to - crease.from));
         std::vector<Polygon> halves;
         for (Polygon& part : parts) {
@@ -170,6 +181,11 @@ std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, st
     for (const FaceArea& area : face.areas)
         areas.push_back({area.outline, FlatBox(frame, area.outline), area.material});
 
+    std::vector<FlatCrease> lines;
+    for (const Crease& crease : creases) {
+        const FlatBox box(frame, {crease.from, crease.to});
+        if (box.reaches(whole)) lines.push_back({crease, box});
+    }
     const std::vector<double> u = grid_lines(whole.low.x, whole.high.x, max_patch, grading);
     const std::vector<double> v = grid_lines(whole.low.y, whole.high.y, max_patch, grading);
 
@@ -181,7 +197,7 @@ std::vector<Cell> cells_of(const Face& face, std::span<const Polygon> covers, st
             const FlatBox box(frame, cell);
             std::vector<Polygon> parts = inside_face(cell, box, pieces, face.normal, thickness);
             take_away(parts, box, cuts, thickness);
-            split(parts, creases, face.normal, thickness);
+            split(parts, box, lines, face.normal, thickness);
             std::vector<Cell> cut;
             for (Polygon& part : parts) cut.push_back({std::move(part), face.material});
             give_materials(cut, box, areas, thickness);
