@@ -19,14 +19,16 @@ struct KernelMiddle {
     double product = 0.0;
 };
 
-/// The polygon is quartered until its parts are small as the receiver sees them; of each part the
-/// factor is exact, the middle by the kernel at four points.
+/// Nearby the middle is a sum over edges as the factor is: arc tangents, logarithms and one integral of a
+/// smooth function by Gauss's rule. Far away the kernel at four points.
 ///
 /// Needs     a convex polygon.
-/// Returns   the factor of configuration_factor; a middle of the part above the horizon, within the
-///           polygon's bounds; (0, 0) where nothing is seen.
-/// Holds     the middle to about 1e-4 of a standard deviation; less within 1e-3 of the polygon's size.
-/// Cost      0.2 us where the receiver is far, up to 100 us where it touches.
+/// Returns   the factor of configuration_factor; the middle of the part above the horizon; a receiver in
+///           the polygon's plane sees all light where it is itself; zeros where nothing is seen.
+/// Holds     the middle to 1e-4 of a deviation, far parts that are not rectangles to 1e-2.
+/// Weak when a low receiver looks past the polygon's plane at a steep angle: of a factor of 1e-12 the
+///           middle keeps three digits.
+/// Cost      0.3 us far away, 1 us nearby.
 KernelMiddle kernel_middle(const Polygon& polygon, const PatchFrame& frame, const Receiver& receiver);
 
 bool is_above_horizon(const Polygon& polygon, const Receiver& receiver);

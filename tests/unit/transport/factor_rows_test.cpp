@@ -160,19 +160,5 @@ TEST(FactorRows, a_row_has_the_same_bits_alone_and_beside_others) {
     }
 }
 
-TEST(KernelMiddle, of_a_patch_far_away_is_its_centre_and_of_one_touched_the_place_of_touch) {
-    const Polygon square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    const PatchFrame frame = frame_of(square, {0, 0, 1}, {1, 0, 0});
-    const KernelMiddle far = kernel_middle(square, frame, {{0.5, 0.5, 100.0}, {0, 0, -1}, Vec3{0.0}});
-    EXPECT_LT(glm::length(far.middle), 1e-9);
-    // a wall's foot at (0.3, 0): half of what it sees is the floor, all of that within no distance
-    const KernelMiddle touching = kernel_middle(square, frame, {{0.3, 0.0, 0.0}, {0, 1, 0}, {0, 0, 1}});
-    EXPECT_NEAR(touching.factor, 0.5, 1e-12);
-    const double smallest_part = std::sqrt(12.0) / 256.0;
-    EXPECT_NEAR(touching.middle.x, -0.2 * std::sqrt(12.0), smallest_part);
-    EXPECT_NEAR(touching.middle.y, -0.5 * std::sqrt(12.0), smallest_part);
-    EXPECT_EQ(kernel_middle(square, frame, {{0.5, 0.5, -1.0}, {0, 0, 1}, Vec3{0.0}}).factor, 0.0);
-}
-
 }  // namespace
 }  // namespace hanei
