@@ -46,16 +46,12 @@ std::optional<Visibility> patch_visibility(const Mesh& mesh, std::span<const Rec
 std::optional<Visibility> updated_visibility(Visibility before, const Mesh& mesh, std::span<const Receiver> receivers,
                                              const OccluderSet& gone, const OccluderSet& come,
                                              const OccluderSet& occluders, const Work& work) {
+    std::vector<ConvexBody> bodies(gone.bodies().begin(), gone.bodies().end());
+    bodies.insert(bodies.end(), come.bodies().begin(), come.bodies().end());
+    const OccluderSet changed(std::move(bodies));
     return with_rows(std::move(before), mesh, receivers, occluders, work,
                      [&](VisibleShares& shares, std::span<const Receiver> side_by_side, float* rows) {
-                         std::vector<ColumnRange> patches;
-                         shares.touched_by(gone, come, side_by_side, patches);
-                         for (std::size_t k = 0; k < side_by_side.size(); ++k) {
-                             float* row = rows + k * mesh.patches.size();
-                             for (const ColumnRange& range : patches)
-                                 std::fill(row + range.first, row + range.last, 1.0F);
-                         }
-                         shares.write(side_by_side, patches, rows);
+                         shares.rewrite(side_by_side, changed, rows);
                      });
 }
 

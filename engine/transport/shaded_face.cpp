@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hanei {
 
 namespace {
-
-FlatBox around(const FlatBox& a, const FlatBox& b) {
-    return {std::min(a.low_u, b.low_u), std::min(a.low_v, b.low_v), std::max(a.high_u, b.high_u),
-            std::max(a.high_v, b.high_v)};
-}
 
 FlatBox box_of(std::span<const double> u, std::span<const double> v) {
     const auto [low_u, high_u] = std::ranges::minmax(u);
@@ -60,9 +56,9 @@ ShadedFace::ShadedFace(const Mesh& mesh, const FaceLayout& of)
         const std::size_t begin = first.back(), count = u.size() - begin;
         first.push_back(static_cast<std::uint32_t>(u.size()));
         const FlatBox box = box_of(std::span(u).subspan(begin, count), std::span(v).subspan(begin, count));
-        if (p % lanes == 0) groups.emplace_back().box = box;
+        if (p % lanes == 0) groups.emplace_back();
+        add_to_block(groups.size() - 1, box);
         Group& group = groups.back();
-        group.box = around(group.box, box);
         for (std::size_t lane = p % lanes; lane < lanes; ++lane) {
             group.u[lane] = static_cast<float>(0.5 * (box.low_u + box.high_u));
             group.v[lane] = static_cast<float>(0.5 * (box.low_v + box.high_v));
@@ -72,6 +68,44 @@ ShadedFace::ShadedFace(const Mesh& mesh, const FaceLayout& of)
         }
         patch_radius.push_back(std::hypot(group.half_u[p % lanes], group.half_v[p % lanes]));
     }
+}
+
+void ShadedFace::add_to_block(std::size_t group, const FlatBox& box) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    const auto rounding = static_cast<float>(4e-7 * radius);
+    if (group / lanes == blocks.size()) {
+        const Four none{infinite, infinite, infinite, infinite};
+        blocks.push_back({none, none, -none, -none});
+    }
+    Block& block = blocks.back();
+    const std::size_t lane = group % lanes;
+    block.low_u[lane] = std::min(block.low_u[lane], static_cast<float>(box.low_u) - rounding);
+    block.low_v[lane] = std::min(block.low_v[lane], static_cast<float>(box.low_v) - rounding);
+    block.high_u[lane] = std::max(block.high_u[lane], static_cast<float>(box.high_u) + rounding);
+    block.high_v[lane] = std::max(block.high_v[lane], static_cast<float>(box.high_v) + rounding);
+}
+
+unsigned ShadedFace::reached(const Block& block, const FlatBox& shade) const {
+    const auto low_u = static_cast<float>(shade.low_u), low_v = static_cast<float>(shade.low_v);
+    const auto high_u = static_cast<float>(shade.high_u), high_v = static_cast<float>(shade.high_v);
+    const FourFlags meets =
+        (block.low_u <= high_u) & (block.high_u >= low_u) & (block.low_v <= high_v) & (block.high_v >= low_v);
+    return static_cast<unsigned>(bits_of(meets));
+}
+
+FlatBox ShadedFace::shade_of(std::span<const FlatLine> lines) const {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (blocks.size() == 1 || corners.count + lines.size() > FlatLoop::most) {
+        return {-infinite, -infinite, infinite, infinite};
+    }
+    FlatLoop shade = corners;
+    for (const FlatLine& line : lines) clip(shade, line);
+    FlatBox box{infinite, infinite, -infinite, -infinite};
+    for (std::size_t k = 0; k < shade.count; ++k) {
+        box = {std::min(box.low_u, shade.u[k]), std::min(box.low_v, shade.v[k]), std::max(box.high_u, shade.u[k]),
+               std::max(box.high_v, shade.v[k])};
+    }
+    return box;
 }
 
 FlatLoop ShadedFace::loop(std::size_t patch) const {

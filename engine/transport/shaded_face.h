@@ -5,6 +5,9 @@
 #include "engine/transport/flat_loop.h"
 #include "engine/transport/seen_face.h"
 
+#include <bit>
+#include <cmath>
+#include <span>
 #include <vector>
 
 namespace hanei {
@@ -15,11 +18,14 @@ struct ShadedFace {
     static constexpr std::size_t lanes = 4;
     static constexpr std::size_t most_corners = 12;
 
-    /// Bounds of four patches, and of all of them together. Lanes past the last patch repeat it.
+    /// Bounds of four patches. Lanes past the last patch repeat it.
     struct Group {
         Four u, v, half_u, half_v;
         Four slack;  ///< a patch this near to a line does not cross it
-        FlatBox box;
+    };
+    /// Bounds of four groups, outward by the rounding of floats; lanes past the last are empty.
+    struct Block {
+        Four low_u, low_v, high_u, high_v;
     };
 
     const FaceLayout* layout = nullptr;
@@ -28,6 +34,7 @@ struct ShadedFace {
     double radius = 0.0;               ///< of a circle around `origin` that holds the face
     FlatLoop corners;                  ///< of a convex polygon that all patches lie in
     std::vector<Group> groups;         ///< patches 4 k to 4 k + 3
+    std::vector<Block> blocks;         ///< groups 4 k to 4 k + 3
     std::vector<std::uint32_t> first;  ///< into u and v, one a patch and one past the end
     std::vector<double> u, v;          ///< corners of patches
     std::vector<float> patch_radius;   ///< around the middle of a patch's bounds
@@ -39,6 +46,42 @@ struct ShadedFace {
     double middle_u(std::size_t patch) const { return groups[patch / lanes].u[patch % lanes]; }
     double middle_v(std::size_t patch) const { return groups[patch / lanes].v[patch % lanes]; }
     FlatLoop loop(std::size_t patch) const;
+
+    /// Groups of a block that may meet the part of the face inside all lines, a bit each.
+    unsigned reached(const Block& block, const FlatBox& shade) const;
+
+    /// Bounds of that part: of all patches where it is not worth while; empty where there is none.
+    FlatBox shade_of(std::span<const FlatLine> lines) const;
+
+private:
+    void add_to_block(std::size_t group, const FlatBox& box);
 };
+
+/// Calls `found(patch, crossed)` for every patch that is not beyond one of the lines: `crossed` where it
+/// may not lie inside all of them.
+template <class Found>
+void for_each_shaded(const ShadedFace& face, std::span<const FlatLine> lines, Found&& found) {
+    const FlatBox shade = face.shade_of(lines);
+    for (std::size_t block = 0; block < face.blocks.size(); ++block) {
+        for (unsigned groups = face.reached(face.blocks[block], shade); groups != 0; groups &= groups - 1) {
+            const std::size_t group = ShadedFace::lanes * block + static_cast<std::size_t>(std::countr_zero(groups));
+            const ShadedFace::Group& patches = face.groups[group];
+            FourFlags beyond{}, crossed{};
+            for (const FlatLine& line : lines) {
+                const auto a = static_cast<float>(line.a), b = static_cast<float>(line.b);
+                const Four height = patches.u * a + patches.v * b + static_cast<float>(line.c);
+                const Four reach = patches.half_u * std::abs(a) + patches.half_v * std::abs(b);
+                beyond |= height - reach >= -patches.slack;
+                crossed |= height + reach > patches.slack;
+            }
+            const int is_crossed = bits_of(crossed);
+            for (auto bits = static_cast<unsigned>(bits_of(beyond)) ^ 15U; bits != 0; bits &= bits - 1) {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+                const std::size_t patch = ShadedFace::lanes * group + lane;
+                if (patch < face.size()) found(patch, (is_crossed >> lane & 1) != 0);
+            }
+        }
+    }
+}
 
 }  // namespace hanei

@@ -52,10 +52,7 @@ bool ShadowCast::write(const ShadedFace& face, std::size_t receiver, std::span<c
         return true;
     }
     if (cast_count_ == 0) return false;
-    hidden_.assign(count + ShadedFace::lanes, 0);
-    first_cut_.assign(count + ShadedFace::lanes, Cut::none);
-    cuts_.clear();
-    for (std::uint32_t k = 0; k < cast_count_; ++k) mark(face, casts_[k], k);
+    mark_all(face);
     for (std::uint32_t p = 0; p < count; ++p) {
         if (hidden_[p]) {
             shares[p] = 0.0F;
@@ -64,6 +61,61 @@ bool ShadowCast::write(const ShadedFace& face, std::size_t receiver, std::span<c
         }
     }
     return true;
+}
+
+void ShadowCast::rewrite(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies,
+                         std::span<const char> patches, float* row) {
+    look_at(face, receivers_[receiver]);
+    float* shares = row + face.layout->face->first_patch;
+    const bool all_hidden = cast_all(face, receiver, bodies);
+    if (!all_hidden) mark_all(face);
+    for (std::uint32_t p = 0; p < face.size(); ++p) {
+        if (!patches[p]) continue;
+        if (all_hidden || hidden_[p]) {
+            shares[p] = 0.0F;
+        } else {
+            shares[p] = first_cut_[p] != Cut::none ? share_of(face, p) : 1.0F;
+        }
+    }
+}
+
+bool ShadowCast::find_shaded(const ShadedFace& face, std::size_t receiver, BodyShadows& shadows,
+                             std::span<const BodyIndex> bodies, std::vector<char>& patches) {
+    look_at(face, receivers_[receiver]);
+    patches.assign(face.size(), 0);
+    bool any = false;
+    Cast cast;
+    for (const BodyIndex body : bodies) {
+        std::size_t unknown = ~std::size_t{0};
+        const Shaded shaded = cast_on(face, shadows.of(receiver, body), cast, unknown);
+        if (shaded == Shaded::nothing) continue;
+        any = true;
+        if (shaded == Shaded::everything) {
+            patches.assign(face.size(), 1);
+            return true;
+        }
+        for_each_shaded(face, cast.lines, [&](std::size_t patch, bool) { patches[patch] = 1; });
+    }
+    return any;
+}
+
+void ShadowCast::mark_all(const ShadedFace& face) {
+    hidden_.assign(face.size(), 0);
+    first_cut_.assign(face.size(), Cut::none);
+    cuts_.clear();
+    for (std::uint32_t k = 0; k < cast_count_; ++k) {
+        for_each_shaded(face, casts_[k].lines, [&](std::size_t patch, bool crossed) { mark(patch, crossed, k); });
+    }
+}
+
+void ShadowCast::mark(std::size_t patch, bool crossed, std::uint32_t cast) {
+    if (hidden_[patch]) return;
+    if (!crossed) {
+        hidden_[patch] = 1;
+    } else {
+        cuts_.push_back({cast, first_cut_[patch]});
+        first_cut_[patch] = static_cast<std::int32_t>(cuts_.size()) - 1;
+    }
 }
 
 /// True when one of the shadows covers the face; else those that cross it are kept.
@@ -128,48 +180,6 @@ ShadowCast::Shaded ShadowCast::cast_on(const ShadedFace& face, const BodyShadows
         cast.lines.push_back({scale * line.a, scale * line.b, scale * line.c});
     }
     return cast.lines.empty() ? Shaded::everything : Shaded::part;
-}
-
-void ShadowCast::mark(const ShadedFace& face, const Cast& cast, std::uint32_t number) {
-    if (face.groups.size() == 1 || face.corners.count + cast.lines.size() > FlatLoop::most) {
-        for (std::size_t group = 0; group < face.groups.size(); ++group) mark_group(face, cast, group, number);
-        return;
-    }
-    FlatLoop shade = face.corners;
-    for (const FlatLine& line : cast.lines) clip(shade, line);
-    if (shade.count < 3) return;
-    const auto [low_u, high_u] = std::minmax_element(shade.u.begin(), shade.u.begin() + shade.count);
-    const auto [low_v, high_v] = std::minmax_element(shade.v.begin(), shade.v.begin() + shade.count);
-    const double slack = face.layout->same_place;
-    const FlatBox box{*low_u - slack, *low_v - slack, *high_u + slack, *high_v + slack};
-    for (std::size_t group = 0; group < face.groups.size(); ++group) {
-        if (face.groups[group].box.meets(box)) mark_group(face, cast, group, number);
-    }
-}
-
-void ShadowCast::mark_group(const ShadedFace& face, const Cast& cast, std::size_t group, std::uint32_t number) {
-    const ShadedFace::Group& patches = face.groups[group];
-    FourFlags beyond{}, crossed{};
-    for (const FlatLine& line : cast.lines) {
-        const auto a = static_cast<float>(line.a), b = static_cast<float>(line.b);
-        const Four height = patches.u * a + patches.v * b + static_cast<float>(line.c);
-        const Four reach = patches.half_u * std::abs(a) + patches.half_v * std::abs(b);
-        beyond |= height - reach >= -patches.slack;
-        crossed |= height + reach > patches.slack;
-    }
-    const std::size_t first = group * ShadedFace::lanes;
-    const int is_crossed = bits_of(crossed);
-    for (auto bits = static_cast<unsigned>(bits_of(beyond)) ^ 15U; bits != 0; bits &= bits - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-        const std::size_t patch = first + lane;
-        if (hidden_[patch]) continue;
-        if ((is_crossed >> lane & 1) == 0) {
-            hidden_[patch] = 1;
-        } else {
-            cuts_.push_back({number, first_cut_[patch]});
-            first_cut_[patch] = static_cast<std::int32_t>(cuts_.size()) - 1;
-        }
-    }
 }
 
 float ShadowCast::share_of(const ShadedFace& face, std::uint32_t patch) {

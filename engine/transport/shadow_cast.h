@@ -30,6 +30,15 @@ public:
     /// Returns   false when nothing is hidden.
     bool write(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies, float* row);
 
+    /// The same for some patches of the face, those that are 1 as well.
+    void rewrite(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies,
+                 std::span<const char> patches, float* row);
+
+    /// Flags patches on which the shadow of one of the bodies, of any set, falls at least in part.
+    /// Returns   false when there is none.
+    bool find_shaded(const ShadedFace& face, std::size_t receiver, BodyShadows& shadows,
+                     std::span<const BodyIndex> bodies, std::vector<char>& patches);
+
     /// Another face, or other bodies, follow.
     void next_face() { misses_.clear(); }
 
@@ -52,8 +61,8 @@ private:
     bool cast_all(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies);
     Shaded cast_on(const ShadedFace& face, const BodyShadows::Shadow& shadow, Cast& cast, std::size_t& misses) const;
     FlatLine line_of(const ShadedFace& face, const HalfSpace& plane) const;
-    void mark(const ShadedFace& face, const Cast& cast, std::uint32_t number);
-    void mark_group(const ShadedFace& face, const Cast& cast, std::size_t group, std::uint32_t number);
+    void mark_all(const ShadedFace& face);
+    void mark(std::size_t patch, bool crossed, std::uint32_t cast);
     float share_of(const ShadedFace& face, std::uint32_t patch);
     bool flat_share(const ShadedFace& face, std::uint32_t patch, float& share);
     double visible_weight(const FlatLoop& loop, bool split);

@@ -156,22 +156,12 @@ bool StoredRows::rewrite_shares(const std::function<ShareWriter()>& maker, const
 void StoredRows::rewrite_tile(std::size_t tile, const ShareWriter& writer, StoredTile& from_disk,
                               std::vector<float>& shares) {
     const std::size_t count = rows_of(tile), first = tile * TileShape::rows;
-    std::vector<ColumnRange> columns;
-    writer.changed(first, first + count, columns);
-    if (columns.empty()) return;
     Place& place = places_[tile];
     if (place.on_disk) read(tile, from_disk);
     StoredTile& stored = place.on_disk ? from_disk : place.tile;
-
     shares.resize(count * shape_.share_columns());
     recall_shares(shape_, count, stored.shares, shares.data());
-    for (std::size_t row = 0; row < count; ++row) {
-        for (const ColumnRange& range : columns) {
-            float* at = shares.data() + row * shape_.share_columns();
-            std::fill(at + range.first, at + range.last, 1.0F);
-        }
-    }
-    writer.write(first, first + count, columns, shares.data());
+    if (!writer(first, first + count, shares.data())) return;
     store_shares(shape_, count, stored.factors, shares.data(), stored.shares);
     place.share_bytes = stored.shares.size();
     if (place.on_disk) file_->write(tile * slot_bytes() + stored.factors.size(), stored.shares.all());

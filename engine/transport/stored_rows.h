@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/base/progress.h"
-#include "engine/transport/column_range.h"
 #include "engine/transport/stored_tile.h"
 
 #include <filesystem>
@@ -34,13 +33,9 @@ struct RowStorage {
 /// columns_a_share columns). Returns false when the shares were left as they are: nothing is hidden.
 using RowWriter = std::function<bool(std::size_t first, std::size_t last, float* factors, float* shares)>;
 
-/// Writes anew shares of rows whose factors stay.
-struct ShareWriter {
-    /// Share columns that may change in rows [first, last): ascending, appended.
-    std::function<void(std::size_t first, std::size_t last, std::vector<ColumnRange>& columns)> changed;
-    /// Writes those (given as ones) and leaves the others.
-    std::function<void(std::size_t first, std::size_t last, std::span<const ColumnRange> columns, float* shares)> write;
-};
+/// Writes shares of rows [first, last) anew where they changed: `shares` are those kept (0 where the
+/// factor is 0; to the steps of the format). Returns false when all are as they were.
+using ShareWriter = std::function<bool(std::size_t first, std::size_t last, float* shares)>;
 
 /// A matrix whose products are all that is asked of it.
 ///
@@ -74,7 +69,7 @@ public:
     /// Sum of each row; empty when stopped.
     std::optional<std::vector<double>> row_sums(const Work& work) const;
 
-    /// Shares written anew where they may change, as if made so from the start.
+    /// Shares written anew where they change, as if made so from the start.
     /// Returns   false when stopped: then some are new and some are not.
     bool rewrite_shares(const std::function<ShareWriter()>& maker, const Work& work);
 

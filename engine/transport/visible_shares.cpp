@@ -50,45 +50,56 @@ VisibleShares::VisibleShares(const Mesh& mesh, const OccluderSet& occluders)
     for (const FaceLayout& layout : layouts_) faces_.emplace_back(mesh, layout);
 }
 
-bool VisibleShares::write(std::span<const Receiver> side_by_side, float* shares) {
-    const ColumnRange all{0, mesh_.patches.size()};
-    return write(side_by_side, std::span(&all, 1), shares);
-}
-
-bool VisibleShares::write(std::span<const Receiver> side_by_side, std::span<const ColumnRange> patches, float* shares) {
-    if (occluders_.empty()) return false;
-    bool any_hidden = false;
+template <class WriteFace>
+bool VisibleShares::for_each_run(std::span<const Receiver> side_by_side, float* shares, WriteFace&& write_face) {
+    bool any = false;
     while (!side_by_side.empty()) {
         const std::size_t count = run_length(side_by_side, occluders_.same_place());
-        any_hidden |= write_run({side_by_side.first(count), shares}, patches);
+        const Run run{side_by_side.first(count), shares};
+        cast_.start(run.receivers);
+        any |= write_face(run);
         side_by_side = side_by_side.subspan(count);
         shares += count * mesh_.patches.size();
     }
-    return any_hidden;
+    return any;
 }
 
-bool VisibleShares::write_run(const Run& run, std::span<const ColumnRange> patches) {
-    cast_.start(run.receivers);
-    bool any_hidden = false;
-    auto range = patches.begin();
-    for (std::size_t face = 0; face < layouts_.size(); ++face) {
-        const std::size_t first = layouts_[face].face->first_patch;
-        while (range != patches.end() && range->last <= first) ++range;
-        if (range == patches.end()) break;
-        if (range->first <= first) any_hidden |= write_face(run, face);
-    }
-    return any_hidden;
+bool VisibleShares::write(std::span<const Receiver> side_by_side, float* shares) {
+    if (occluders_.empty()) return false;
+    return for_each_run(side_by_side, shares, [&](const Run& run) {
+        bool any_hidden = false;
+        for (std::size_t face = 0; face < layouts_.size(); ++face) any_hidden |= write_face(run, face);
+        return any_hidden;
+    });
 }
 
-bool VisibleShares::write_face(const Run& run, std::size_t face) {
-    const FaceLayout& layout = layouts_[face];
+bool VisibleShares::rewrite(std::span<const Receiver> side_by_side, const OccluderSet& changed, float* shares) {
+    if (changed.empty()) return false;
+    BodyShadows shadows(changed);
+    return for_each_run(side_by_side, shares, [&](const Run& run) {
+        shadows.start(run.receivers);
+        bool any_changed = false;
+        for (std::size_t face = 0; face < layouts_.size(); ++face) {
+            any_changed |= rewrite_face(run, face, changed, shadows);
+        }
+        return any_changed;
+    });
+}
+
+/// How each receiver sees the face. False when none does.
+bool VisibleShares::look_at(const Run& run, const FaceLayout& layout) {
     seen_.clear();
     bool any_seen = false;
     for (const Receiver& receiver : run.receivers) {
         seen_.push_back(seen_from(layout, receiver));
         any_seen = any_seen || seen_.back() != FaceSeen::hidden;
     }
-    if (!any_seen) return false;
+    return any_seen;
+}
+
+bool VisibleShares::write_face(const Run& run, std::size_t face) {
+    const FaceLayout& layout = layouts_[face];
+    if (!look_at(run, layout)) return false;
     if (likely_[face] < occluders_.bodies().size()) {
         before_.assign(1, likely_[face]);
         if (hidden_from_all(layout, run)) return true;
@@ -111,6 +122,32 @@ bool VisibleShares::write_face(const Run& run, std::size_t face) {
         }
     }
     return any_hidden;
+}
+
+bool VisibleShares::rewrite_face(const Run& run, std::size_t face, const OccluderSet& changed, BodyShadows& shadows) {
+    const FaceLayout& layout = layouts_[face];
+    if (!look_at(run, layout)) return false;
+    const Box eyes = box_of(run.receivers);
+    changed_.clear();
+    changed.between(eyes, layout.corners, changed_);
+    if (changed_.empty()) return false;
+    before_.clear();
+    occluders_.between(eyes, layout.corners, before_);
+    cast_.next_face();
+    bool any_changed = false;
+    for (std::size_t k = 0; k < run.receivers.size(); ++k) {
+        if (seen_[k] == FaceSeen::hidden) continue;
+        if (seen_[k] == FaceSeen::touching) {
+            float* shares = row(run, k) + layout.face->first_patch;
+            std::fill_n(shares, layout.face->patch_count, 1.0F);
+            write_limits(layout, run.receivers[k], row(run, k));
+            any_changed = true;
+        } else if (cast_.find_shaded(faces_[face], k, shadows, changed_, shaded_)) {
+            cast_.rewrite(faces_[face], k, before_, shaded_, row(run, k));
+            any_changed = true;
+        }
+    }
+    return any_changed;
 }
 
 /// Where one of the bodies before the face hides all of it from every receiver that faces it: then it
@@ -137,21 +174,6 @@ bool VisibleShares::hidden_from_all(const FaceLayout& layout, const Run& run) {
 
 float* VisibleShares::row(const Run& run, std::size_t receiver) const {
     return run.shares + receiver * mesh_.patches.size();
-}
-
-void VisibleShares::touched_by(const OccluderSet& gone, const OccluderSet& come, std::span<const Receiver> side_by_side,
-                               std::vector<ColumnRange>& found) const {
-    if (side_by_side.empty()) return;
-    const Box eyes = box_of(side_by_side);
-    std::vector<BodyIndex> bodies;
-    for (const FaceLayout& layout : layouts_) {
-        bodies.clear();
-        gone.between(eyes, layout.corners, bodies);
-        if (bodies.empty()) come.between(eyes, layout.corners, bodies);
-        if (bodies.empty()) continue;
-        const std::size_t first = layout.face->first_patch;
-        found.push_back({first, first + layout.face->patch_count});
-    }
 }
 
 bool VisibleShares::write_limits(const FaceLayout& layout, const Receiver& receiver, float* row) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/mesh/mesh.h"
-#include "engine/transport/column_range.h"
 #include "engine/transport/seen_face.h"
 #include "engine/transport/shadow_cast.h"
 
@@ -28,15 +27,13 @@ public:
     /// Returns   false when nothing is hidden from any of the receivers.
     bool write(std::span<const Receiver> side_by_side, float* shares);
 
-    /// Patches of which bodies that went or came may hide something from a receiver: whole faces,
-    /// ascending, appended.
-    void touched_by(const OccluderSet& gone, const OccluderSet& come, std::span<const Receiver> side_by_side,
-                    std::vector<ColumnRange>& found) const;
-
-    /// The same as `write` for the patches of some faces alone, as `touched_by` names them: the rest of
-    /// the rows is left as it is.
-    /// Needs     ones at those patches.
-    bool write(std::span<const Receiver> side_by_side, std::span<const ColumnRange> patches, float* shares);
+    /// After bodies came, went or moved: works out anew only patches on which the shadow of one of them,
+    /// as it was or as it is, falls at least in part.
+    ///
+    /// Needs     rows as they were before; `changed`: bodies that went and bodies that came, and no others,
+    ///           the occluders are those of now.
+    /// Returns   false when the rows are as they were; else the same bits as `write`.
+    bool rewrite(std::span<const Receiver> side_by_side, const OccluderSet& changed, float* shares);
 
 private:
     /// Receivers of one face, side by side.
@@ -45,8 +42,11 @@ private:
         float* shares;
     };
 
-    bool write_run(const Run& run, std::span<const ColumnRange> patches);
+    template <class WriteFace>
+    bool for_each_run(std::span<const Receiver> side_by_side, float* shares, WriteFace&& write_face);
+    bool look_at(const Run& run, const FaceLayout& layout);
     bool write_face(const Run& run, std::size_t face);
+    bool rewrite_face(const Run& run, std::size_t face, const OccluderSet& changed, BodyShadows& shadows);
     bool write_limits(const FaceLayout& layout, const Receiver& receiver, float* row);
     bool hidden_from_all(const FaceLayout& layout, const Run& run);
     float* row(const Run& run, std::size_t receiver) const;
@@ -60,6 +60,8 @@ private:
     std::vector<BodyIndex> before_;  // bodies that may stand between the run and a face
     std::vector<BodyIndex> likely_;  // the body that last hid a face from all of a run, one a face
     std::vector<BodyIndex> bodies_;
+    std::vector<BodyIndex> changed_;  // bodies that may stand, or have stood, between the run and a face
+    std::vector<char> shaded_;        // patches of a face
 };
 
 }  // namespace hanei

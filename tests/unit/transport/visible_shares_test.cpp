@@ -95,37 +95,40 @@ TEST(VisibleShares, do_not_depend_on_the_receivers_asked_together) {
     EXPECT_EQ(shares_of(*mesh, occluders, centres, centres.size()), together);
 }
 
-TEST(VisibleShares, of_faces_that_a_moved_body_touches_are_all_that_change) {
+TEST(VisibleShares, rewritten_after_a_body_moved_have_the_bits_of_shares_made_from_the_start) {
     const Scene scene = sample::computer_room();
-    const auto mesh = make_mesh(scene, 0.6);
+    const auto mesh = make_mesh(scene, 0.5);
     const std::vector<Receiver> centres = centres_of(*mesh);
     const OccluderSet after = occluders_of(scene);
-    std::vector<ConvexBody> bodies(after.bodies().begin(), after.bodies().end());
-    const OccluderSet come({bodies.front()});
-    for (Vec3& vertex : bodies.front().vertices) vertex += Vec3{0.3, 0.2, 0.0};
-    const OccluderSet before(bodies), gone({bodies.front()});
+    for (std::size_t moved = 0; moved < after.bodies().size(); moved += 5) {
+        std::vector<ConvexBody> bodies(after.bodies().begin(), after.bodies().end());
+        for (Vec3& vertex : bodies[moved].vertices) vertex += Vec3{0.3, 0.2, 0.0};
+        const OccluderSet before(bodies), changed({bodies[moved], after.bodies()[moved]});
 
-    std::vector<float> rows = shares_of(*mesh, before, centres);
-    const std::vector<float> expected = shares_of(*mesh, after, centres);
-    EXPECT_NE(rows, expected);
-    VisibleShares shares(*mesh, after);
-    std::size_t touched = 0;
-    for (std::size_t k = 0; k < centres.size(); k += 16) {
-        const auto tile = std::span(centres).subspan(k, std::min<std::size_t>(16, centres.size() - k));
-        std::vector<ColumnRange> faces;
-        shares.touched_by(gone, come, tile, faces);
-        float* at = rows.data() + k * mesh->patches.size();
-        for (const ColumnRange& face : faces) {
-            touched += face.last - face.first;
-            for (std::size_t i = 0; i < tile.size(); ++i) {
-                float* row = at + i * mesh->patches.size();
-                std::fill(row + face.first, row + face.last, 1.0F);
-            }
+        std::vector<float> rows = shares_of(*mesh, before, centres);
+        const std::vector<float> expected = shares_of(*mesh, after, centres);
+        EXPECT_NE(rows, expected);
+        VisibleShares shares(*mesh, after);
+        for (std::size_t k = 0; k < centres.size(); k += 16) {
+            const auto tile = std::span(centres).subspan(k, std::min<std::size_t>(16, centres.size() - k));
+            shares.rewrite(tile, changed, rows.data() + k * mesh->patches.size());
         }
-        shares.write(tile, faces, at);
+        EXPECT_EQ(rows, expected) << moved;
     }
-    EXPECT_EQ(rows, expected);
-    EXPECT_LT(touched, mesh->patches.size() * (centres.size() / 16) * 3 / 4);  // many faces are left alone
+}
+
+TEST(VisibleShares, far_from_the_body_that_moved_are_left_alone) {
+    const Scene scene = sample::computer_room();
+    const auto mesh = make_mesh(scene, 0.5);
+    const OccluderSet occluders = occluders_of(scene), none;
+    ConvexBody speck{{{0.1, 0.1, 0.001}, {0.101, 0.1, 0.001}, {0.1, 0.101, 0.001}}, {{0, 1, 2}}, 0};
+    const OccluderSet changed({speck});
+    VisibleShares shares(*mesh, occluders);
+    std::vector<float> row(mesh->patches.size(), 0.25F);  // whatever was kept
+    const Receiver receiver = mesh->centre_of(mesh->patches.back());
+    EXPECT_FALSE(shares.rewrite(std::span(&receiver, 1), none, row.data()));
+    shares.rewrite(std::span(&receiver, 1), changed, row.data());
+    EXPECT_GT(std::ranges::count(row, 0.25F), static_cast<std::ptrdiff_t>(row.size()) - 3);
 }
 
 TEST(VisibleShares, nothing_is_hidden_in_an_empty_room) {
