@@ -14,6 +14,7 @@ struct Row {
     double samples = no_figure;                                       ///< rays a pair
     double error_rms = no_figure, error_max = no_figure;              ///< of the brightest unobstructed value
     double time_over_exact = no_figure;  ///< this way's time over the exact answer's, both measured here
+    double ns_per_pair = no_figure;      ///< of a receiver and a patch
     double edges = no_figure;            ///< of the loops of one iteration
 
     void report(benchmark::State& state) const {
@@ -25,6 +26,7 @@ struct Row {
         state.counters["error_rms"] = error_rms;
         state.counters["error_max"] = error_max;
         state.counters["time_over_exact"] = time_over_exact;
+        state.counters["ns_per_pair"] = ns_per_pair;
         state.counters["ns_per_edge"] = Counter(1e-9 * edges, Counter::kIsIterationInvariantRate | Counter::kInvert);
     }
 };
