@@ -31,6 +31,7 @@ public:
         Vec3 front{0.0};
     };
     std::span<const Face> faces() const { return faces_; }
+    bool hides_itself() const { return !own_.empty(); }
 
 private:
     bool may_light(const Face& face, const Receiver& receiver) const;

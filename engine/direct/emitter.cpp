@@ -1,144 +1,25 @@
-#include "engine/direct/diffuse_source.h"
 #include "engine/direct/direct.h"
-#include "engine/direct/line_source.h"
-#include "engine/direct/measured_source.h"
 #include "engine/direct/obstacles.h"
-#include "engine/direct/point_source.h"
-#include "engine/geometry/polygon.h"
+#include "engine/direct/source.h"
 #include "engine/geometry/visible_part.h"
-#include "engine/scene/intensity.h"
-#include "engine/scene/opening_shape.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
+#include <limits>
 #include <variant>
 
 namespace hanei {
 
-using std::numbers::pi;
-
 struct Emitter::Parts {
     ObjectId luminaire;
     LuminousFlux flux;
-    std::variant<PointSource, LineSource, DiffuseSource, MeasuredSource> source;
+    Source source;
     std::vector<Vec3> extent;
     std::vector<LuminousPiece> pieces;
+    std::vector<double> weights;  ///< a piece: what from_place multiplies by
 };
 
 namespace {
-
-using Source = std::variant<PointSource, LineSource, DiffuseSource, MeasuredSource>;
-
-struct Made {
-    LuminousFlux flux;
-    Source source;
-};
-
-const Photometry* find_photometry(const Scene& scene, ObjectId id) {
-    const auto found = std::ranges::find(scene.photometries, id, &Photometry::id);
-    return found == scene.photometries.end() ? nullptr : &*found;
-}
-
-/// A source that gives no light, for a luminaire without a usable opening.
-Made dark(const Placement& placed) { return {LuminousFlux{0.0}, PointSource{placed, 0.0}}; }
-
-double flux_of(const Luminaire& luminaire) {
-    const auto* flux = std::get_if<LuminousFlux>(&luminaire.output);
-    return flux ? flux->value : 0.0;
-}
-
-/// The exitance of faces of weight 1, from their flux or their luminance.
-double exitance_of(const Luminaire& luminaire, double weighted_area) {
-    if (const auto* luminance = std::get_if<Luminance>(&luminaire.output)) return pi * luminance->value;
-    return weighted_area > 0.0 ? flux_of(luminaire) / weighted_area : 0.0;
-}
-
-Made point(const Luminaire& luminaire) {
-    const Placement placed = placement(luminaire);
-    const double flux = flux_of(luminaire);
-    if (const auto* beam = std::get_if<CosinePower>(&luminaire.distribution)) {
-        return {{flux}, PointSource{placed, beam->exponent, flux * (beam->exponent + 1.0) / (2.0 * pi)}};
-    }
-    return {{flux}, PointSource{placed, flux / (4.0 * pi)}};
-}
-
-Made line(const Luminaire& luminaire, const LineOpening& opening) {
-    const Placement placed = placement(luminaire);
-    const double length = glm::distance(opening.from, opening.to);
-    if (!(length > 0.0)) return dark(placed);
-    const double flux = flux_of(luminaire);
-    return {{flux}, LineSource{placed.point(opening.from), placed.point(opening.to), flux / (pi * pi * length)}};
-}
-
-Made panel(const Luminaire& luminaire, const PolygonOpening& opening) {
-    const Placement placed = placement(luminaire);
-    const double area = glm::length(vector_area(opening.region));
-    const double exitance = exitance_of(luminaire, area);
-    return {{exitance * area}, DiffuseSource{{{placed.region(opening.region), exitance}}, false}};
-}
-
-bool is_convex_solid(const std::vector<LuminousFace>& faces) {
-    for (const LuminousFace& face : faces) {
-        const Plane plane{face.region.outline[0], unit_normal(face.region.outline)};
-        for (const LuminousFace& other : faces) {
-            const double farthest = 1e-9 * (diameter(other.region.outline) + diameter(face.region.outline));
-            for (const Vec3& corner : other.region.outline) {
-                if (plane.height(corner) > farthest) return false;
-            }
-        }
-    }
-    return true;
-}
-
-Made solid(const Luminaire& luminaire, const PolyhedronOpening& opening) {
-    const Placement placed = placement(luminaire);
-    std::vector<LuminousFace> faces;
-    double weighted_area = 0.0;
-    for (std::size_t k = 0; k < opening.faces.size(); ++k) {
-        const double weight = k < opening.relative_luminance.size() ? opening.relative_luminance[k] : 1.0;
-        Region region;
-        for (const int vertex : opening.faces[k]) {
-            region.outline.push_back(placed.point(opening.vertices[static_cast<std::size_t>(vertex)]));
-        }
-        if (region.outline.size() < 3) continue;
-        weighted_area += weight * glm::length(vector_area(region));
-        faces.push_back({std::move(region), weight});
-    }
-    const double exitance = exitance_of(luminaire, weighted_area);
-    for (LuminousFace& face : faces) face.exitance *= exitance;
-    const bool convex = is_convex_solid(faces);
-    return {{exitance * weighted_area}, DiffuseSource{std::move(faces), !convex}};
-}
-
-Made measured(const Scene& scene, const Luminaire& luminaire, const Measured& distribution) {
-    const Placement placed = placement(luminaire);
-    const Photometry* photometry = find_photometry(scene, distribution.photometry);
-    if (!photometry || photometry->candela.empty()) return dark(placed);
-    const double file_flux = luminous_flux(*photometry).value;
-    const auto* wanted = std::get_if<LuminousFlux>(&luminaire.output);
-    const double of_file = wanted ? (file_flux > 0.0 ? wanted->value / file_flux : 0.0) : 1.0;
-    const double scale = of_file * lamp_tilt_factor(*photometry, tilt_from_vertical(luminaire));
-    const LuminousFlux flux{scale * file_flux};
-
-    const bool as_filed = std::holds_alternative<MeasuredOpening>(luminaire.opening);
-    if (as_filed && is_solid(photometry->opening))
-        return {flux, MeasuredSource{placed, solid_opening(photometry->opening), *photometry, scale}};
-    Region opening;
-    if (const auto* polygon = std::get_if<PolygonOpening>(&luminaire.opening)) opening = polygon->region;
-    if (as_filed) opening.outline = flat_opening(photometry->opening);
-    if (convex_pieces(opening).empty()) return {flux, PointSource{placed, *photometry, scale}};
-    return {flux, MeasuredSource{placed, opening, *photometry, scale}};
-}
-
-Made make(const Scene& scene, const Luminaire& luminaire) {
-    if (const auto* table = std::get_if<Measured>(&luminaire.distribution)) return measured(scene, luminaire, *table);
-    if (const auto* tube = std::get_if<LineOpening>(&luminaire.opening)) return line(luminaire, *tube);
-    if (const auto* flat = std::get_if<PolygonOpening>(&luminaire.opening)) return panel(luminaire, *flat);
-    if (const auto* body = std::get_if<PolyhedronOpening>(&luminaire.opening)) return solid(luminaire, *body);
-    return point(luminaire);
-}
 
 struct ExtentOf {
     std::vector<Vec3> operator()(const PointSource& source) const { return {source.position()}; }
@@ -167,6 +48,68 @@ struct PiecesOf {
         Pieces pieces;
         for (const Polygon& piece : source.pieces()) pieces.push_back({piece, source.front()});
         return pieces;
+    }
+};
+
+/// Each piece's share of the opening; of uniform faces its flux.
+struct WeightsOf {
+    std::span<const LuminousPiece> pieces;
+
+    std::vector<double> operator()(const PointSource&) const { return shares(); }
+    std::vector<double> operator()(const LineSource&) const { return shares(); }
+    std::vector<double> operator()(const MeasuredSource&) const { return shares(); }
+    std::vector<double> operator()(const DiffuseSource& source) const {
+        std::vector<double> weights;
+        for (const DiffuseSource::Face& face : source.faces()) {
+            if (!(face.luminous.exitance > 0.0)) continue;
+            for (const Polygon& piece : face.pieces) weights.push_back(face.luminous.exitance * FlatCell(piece).size);
+        }
+        return weights;
+    }
+
+private:
+    std::vector<double> shares() const {
+        std::vector<double> sizes;
+        double sum = 0.0;
+        for (const LuminousPiece& piece : pieces) sum += sizes.emplace_back(FlatCell(piece.corners).size);
+        for (double& size : sizes) size = sum > 0.0 ? size / sum : 0.0;
+        return sizes;
+    }
+};
+
+/// From one place of a piece to a part of a patch.
+struct FromPlace {
+    const LuminousPiece& piece;
+    const Vec3& place;
+    const FlatCell& part;
+    const Vec3& normal;
+
+    PlaceLight operator()(const DiffuseSource&) const {
+        const double factor = configuration_factor(part.corners, {place, piece.front, Vec3{0.0}});
+        return {part.size > 0.0 ? factor / part.size : 0.0, 0.0};
+    }
+    PlaceLight operator()(const PointSource& source) const {
+        return over_nodes([&](const Receiver& receiver) { return source.unobstructed(receiver); });
+    }
+    PlaceLight operator()(const LineSource& source) const {
+        return over_nodes([&](const Receiver& receiver) { return source.from_place(place, receiver); });
+    }
+    PlaceLight operator()(const MeasuredSource& source) const {
+        return over_nodes([&](const Receiver& receiver) { return source.from_place(place, receiver); });
+    }
+
+private:
+    template <class Light>
+    PlaceLight over_nodes(Light&& light) const {
+        double sum = 0.0, least = std::numeric_limits<double>::infinity(), greatest = 0.0;
+        for (const Vec3& node : part.nodes()) {
+            const double here = light(Receiver{node, normal, Vec3{0.0}});
+            sum += here;
+            least = std::min(least, here);
+            greatest = std::max(greatest, here);
+        }
+        if (part.count == 0) return {};
+        return {sum / static_cast<double>(part.count), greatest - least};
     }
 };
 
@@ -209,11 +152,12 @@ private:
 }  // namespace
 
 Emitter::Emitter(const Scene& scene, const Luminaire& luminaire) {
-    Made made = make(scene, luminaire);
+    MadeSource made = make_source(scene, luminaire);
     std::vector<Vec3> extent = std::visit(ExtentOf{}, made.source);
     std::vector<LuminousPiece> pieces = std::visit(PiecesOf{}, made.source);
-    parts_ = std::make_shared<const Parts>(
-        Parts{luminaire.id, made.flux, std::move(made.source), std::move(extent), std::move(pieces)});
+    std::vector<double> weights = std::visit(WeightsOf{pieces}, made.source);
+    parts_ = std::make_shared<const Parts>(Parts{luminaire.id, made.flux, std::move(made.source), std::move(extent),
+                                                 std::move(pieces), std::move(weights)});
 }
 
 Estimate Emitter::estimate(const Receiver& receiver, const OccluderSet* occluders, const Accuracy& accuracy) const {
@@ -233,6 +177,19 @@ Illuminance Emitter::illuminance(const Receiver& receiver, const OccluderSet& oc
                                  std::span<const BodyIndex> among) const {
     return {estimate(receiver, occluders, among).value};
 }
+
+PlaceLight Emitter::from_place(std::size_t piece, const Vec3& place, const FlatCell& part, const Vec3& normal) const {
+    const PlaceLight light = std::visit(FromPlace{parts_->pieces[piece], place, part, normal}, parts_->source);
+    return {parts_->weights[piece] * light.mean, parts_->weights[piece] * light.spread};
+}
+
+bool Emitter::shines_from_places() const {
+    if (const auto* measured = std::get_if<MeasuredSource>(&parts_->source)) return measured->is_flat();
+    const auto* diffuse = std::get_if<DiffuseSource>(&parts_->source);
+    return !diffuse || !diffuse->hides_itself();
+}
+
+bool Emitter::is_exact() const { return !std::holds_alternative<MeasuredSource>(parts_->source); }
 
 LuminousFlux Emitter::flux() const { return parts_->flux; }
 ObjectId Emitter::luminaire() const { return parts_->luminaire; }

@@ -47,4 +47,11 @@ double LineSource::unobstructed(const Receiver& receiver, double first, double l
     return std::max(0.0, normal_intensity * h * sum);
 }
 
+double LineSource::from_place(const Vec3& place, const Receiver& receiver) const {
+    const Vec3 away = receiver.position - place;
+    const double square = glm::dot(away, away), height = -glm::dot(away, receiver.normal);
+    if (!(height > 0.0) || !(square > 0.0)) return 0.0;
+    return normal_intensity * glm::length(glm::cross(to - from, away)) * height / (square * square);
+}
+
 }  // namespace hanei

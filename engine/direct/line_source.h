@@ -21,6 +21,9 @@ struct LineSource {
     /// Illuminance from the part first <= t <= last of the tube (0 at `from`, 1 at `to`), cut at the
     /// receiver's horizon. 0 on the tube itself and on its prolongation.
     double unobstructed(const Receiver& receiver, double first = 0.0, double last = 1.0) const;
+
+    /// The same if all of the tube shone from one place.
+    double from_place(const Vec3& place, const Receiver& receiver) const;
 };
 
 }  // namespace hanei

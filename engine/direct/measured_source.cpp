@@ -130,6 +130,13 @@ std::optional<Estimate> MeasuredSource::as_point(const Receiver& receiver, const
     return Estimate{scale_ * candela * cosine / square, scale_ * error / square};
 }
 
+double MeasuredSource::from_place(const Vec3& place, const Receiver& receiver) const {
+    const Vec3 away = receiver.position - place;
+    const double square = glm::dot(away, away), height = -glm::dot(away, receiver.normal);
+    if (!(height > 0.0) || !(square > 0.0)) return 0.0;
+    return scale_ * table_.candela(away * placed_.rotation) * height / (square * std::sqrt(square));
+}
+
 Estimate MeasuredSource::obstructed(const Receiver& receiver, const Obstacles& obstacles,
                                     const Accuracy& accuracy) const {
     const Sight sight = sight_of(receiver);

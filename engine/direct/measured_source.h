@@ -39,6 +39,10 @@ public:
     Estimate unobstructed(const Receiver& receiver) const { return obstructed(receiver, Obstacles{}); }
     Estimate obstructed(const Receiver& receiver, const Obstacles& obstacles, const Accuracy& accuracy = {}) const;
 
+    /// What would arrive if all of a flat opening shone from one place, nothing in between.
+    double from_place(const Vec3& place, const Receiver& receiver) const;
+
+    bool is_flat() const { return !solid_; }
     const Polygon& extent() const { return extent_; }  ///< scene coordinates
     /// Convex polygons behind whose hull nothing of the opening is: its own, or the faces of the box
     /// around a solid. Scene coordinates.
