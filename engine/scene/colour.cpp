@@ -152,9 +152,9 @@ Vec3 tint_from_srgb(const Vec3& srgb, double reflectance) {
 
 Vec3 possible_tint(const Vec3& tint, double reflectance) {
     const double greatest = std::max({tint.x, tint.y, tint.z});
-    if (!(reflectance * greatest > 1.0)) return tint;
-    if (reflectance >= 1.0) return white;
-    return white + (tint - white) * ((1.0 / reflectance - 1.0) / (greatest - 1.0));
+    if (!(reflectance * greatest > most_of_a_chosen_band)) return tint;
+    if (reflectance >= most_of_a_chosen_band || greatest <= 1.0) return white;
+    return white + (tint - white) * ((most_of_a_chosen_band / reflectance - 1.0) / (greatest - 1.0));
 }
 
 }  // namespace hanei

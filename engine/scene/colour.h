@@ -78,9 +78,13 @@ bool is_neutral(const Scene& scene);
 /// The colour of a material as sRGB shows it beside white paper of reflectance 1: encoded, 0 to 1.
 Vec3 srgb_from(const Material& material);
 
+/// No band of a colour chosen on screen reflects more than this, as no paint does: a band that loses
+/// nothing would leave interreflection without a bound in advance. Files may state up to 1.
+inline constexpr double most_of_a_chosen_band = 0.95;
+
 /// The tint of a colour chosen on screen (encoded sRGB), whose lightness is left to the reflectance.
 /// Black and greys are {1, 1, 1}. A colour more saturated than a surface of this luminous reflectance
-/// can be is drawn towards white until no band reflects more than all.
+/// can be is drawn towards white until no band reflects too much.
 Vec3 tint_from_srgb(const Vec3& srgb, double reflectance);
 
 /// The tint drawn towards white as far as `reflectance` needs it.

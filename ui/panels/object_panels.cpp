@@ -113,8 +113,9 @@ std::optional<Scene> surface_panel(const Scene& scene, ObjectId id, Form& form) 
 std::optional<Scene> material_panel(const Scene& scene, ObjectId id, Form& form) {
     return edited(scene, &Scene::materials, id, [&](Material& material) {
         bool changed = form.text("material.name", "Name", "What this material is called", material.name);
-        // No band can reflect more than all: the deeper a colour, the darker its surface.
-        const double lightest = std::min(1.0, 1.0 / std::max({material.tint.x, material.tint.y, material.tint.z}));
+        // No band reflects more than paint can: the deeper a colour, the darker its surface.
+        const double greatest = std::max({material.tint.x, material.tint.y, material.tint.z});
+        const double lightest = material.tint == Vec3(1.0) ? 1.0 : most_of_a_chosen_band / greatest;
         changed |= percent_row(
             {"material.reflectance", "Reflectance", "%",
              "Share of the arriving luminous flux of neutral light that leaves again", 0.0, 100.0 * lightest, 0.2, 1},

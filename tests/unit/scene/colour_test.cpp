@@ -64,15 +64,16 @@ TEST(Colour, greys_and_black_have_no_tint) {
 }
 
 TEST(Colour, a_bright_surface_can_only_be_pale) {
-    for (const double reflectance : {0.3, 0.5, 0.8, 0.99, 1.0}) {
+    for (const double reflectance : {0.3, 0.5, 0.8, 0.94}) {
         Material blue{{1}, "blue", reflectance, {}};
         blue.tint = tint_from_srgb({0.0, 0.0, 1.0}, reflectance);
         const auto bands = band_reflectances(blue);
         EXPECT_NEAR(luminance({bands[0], bands[1], bands[2]}), reflectance, 1e-14);
-        EXPECT_NEAR(bands[2], 1.0, 1e-14) << "as saturated as it can be";
+        EXPECT_NEAR(bands[2], most_of_a_chosen_band, 1e-14) << "as saturated as it can be";
         EXPECT_EQ(possible_tint(blue.tint, 0.01), blue.tint);
     }
-    EXPECT_EQ(possible_tint({2.0, 0.7, 0.9}, 1.0), white);
+    for (const double reflectance : {0.95, 0.99, 1.0}) EXPECT_EQ(tint_from_srgb({0.0, 0.0, 1.0}, reflectance), white);
+    EXPECT_EQ(possible_tint(white, 1.0), white);
 }
 
 TEST(Colour, daylight_of_6504_kelvin_is_the_white_of_srgb) {
