@@ -50,7 +50,7 @@ KernelMiddle of_far(const PatchFrame& part, const Vec3& front, const PatchFrame&
 double log_over_square(double from, double to, double d, double w) {
     constexpr std::array<double, 2> places = {0.3399810435848563, 0.8611363115940526};
     constexpr std::array<double, 2> weights = {0.6521451548625461, 0.3478548451374538};
-    constexpr double longest = 1.5;
+    constexpr double longest = 1.0;
     const double b = std::sqrt(d * d + w * w);
     const double start = std::asinh(from / b), length = std::asinh(to / b) - start;
     const int panels = std::max(1, static_cast<int>(std::ceil(length / longest)));

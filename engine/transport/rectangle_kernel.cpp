@@ -23,11 +23,11 @@ HANEI_QUARTET Quartet angles_of(const Quartet& low, const Quartet& high, const Q
 }
 
 /// Integral of 1 / (u^2 + v^2 + w^2), along u = w sinh t by Gauss's rule of four on panels: the
-/// singularities are pi/2 beside the line, twice as far as half a panel is long.
+/// singularities are pi/2 beside the line, three times as far as half a panel is long.
 HANEI_QUARTET double inverse_square(const Span& u, const Span& v, double w) {
     constexpr double inner = 0.3399810435848563, outer = 0.8611363115940526;
     constexpr Quartet weights = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
-    constexpr double longest = 1.5;
+    constexpr double longest = 1.0;
     const auto exponential = [&](double x) {  // of t, without cancellation
         const double r = std::sqrt(x * x + w * w);
         return x < 0.0 ? w / (r - x) : (r + x) / w;

@@ -37,7 +37,8 @@ double exact_seconds(const Mesh& mesh, const Nodes& nodes) {
 
 void rows(benchmark::State& state, const Scene& scene, Elements elements) {
     double area = 0.0;
-    for (const Patch& patch : make_mesh(scene, 1.0)->patches) area += patch.area;
+    const auto coarse = make_mesh(scene, 1.0);
+    for (const Patch& patch : coarse->patches) area += patch.area;
     const auto mesh = make_mesh(scene, std::sqrt(area / static_cast<double>(state.range(0))));
     const Nodes nodes = nodes_of(*mesh, elements);
     const FactorRows factors(*mesh, nodes);

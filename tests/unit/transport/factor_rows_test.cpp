@@ -105,7 +105,8 @@ TEST(FactorRows, of_a_closed_room_sum_to_1) {
 TEST(FactorRows, sum_to_1_for_receivers_on_edges_in_corners_and_across_the_horizon) {
     const Scene scene = sample::box_room(4.0, 3.0, 2.5);
     std::vector<Receiver> receivers;
-    for (const Vertex& vertex : make_mesh(scene, 0.5)->vertices) receivers.push_back(vertex.receiver);
+    const auto mesh = make_mesh(scene, 0.5);
+    for (const Vertex& vertex : mesh->vertices) receivers.push_back(vertex.receiver);
     for (const double height : {1e-7, 1e-4, 0.01, 0.8}) {
         receivers.push_back({{1.0, 1.1, height}, {0.0, 0.0, 1.0}, Vec3{0.0}});
         receivers.push_back({{1.0, 1.1, height}, {0.0, 0.0, -1.0}, Vec3{0.0}});
@@ -146,6 +147,35 @@ TEST(FactorRows, of_patches_that_the_horizon_cuts_are_those_of_what_is_above_it)
             const double allowed = i == 3 ? 2e-2 : 3e-3;
             for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(rows.at(i, 4 * p + k), exact[k], allowed * factor + 1e-9);
         }
+    }
+}
+
+TEST(FactorRows, are_the_same_in_a_room_of_millimetres_and_in_one_of_kilometres) {
+    const Rows rows(sample::box_room(6.0, 4.0, 3.0), 1.0, Elements::linear);
+    for (const double scale : {1e-3, 1e3}) {
+        const Rows scaled(sample::box_room(6.0 * scale, 4.0 * scale, 3.0 * scale), scale, Elements::linear);
+        ASSERT_EQ(scaled.values.size(), rows.values.size());
+        for (std::size_t k = 0; k < rows.values.size(); ++k) {
+            // single precision, and squares integrated along either side
+            EXPECT_NEAR(scaled.values[k], rows.values[k], 3e-5F * rows.values[k] + 1e-12F);
+        }
+    }
+}
+
+TEST(FactorRows, are_finite_for_receivers_in_the_planes_of_faces_and_on_their_edges) {
+    const Scene scene = sample::computer_room();
+    std::vector<Receiver> receivers;
+    const auto mesh = make_mesh(scene, 1.0);
+    for (const Vertex& vertex : mesh->vertices) {
+        receivers.push_back(vertex.receiver);
+        receivers.push_back({vertex.receiver.position, -vertex.receiver.normal, Vec3{0.0}});
+        receivers.push_back(
+            {vertex.receiver.position + 1e-7 * vertex.receiver.normal, vertex.receiver.normal, Vec3{0.0}});
+        receivers.push_back({vertex.receiver.position, glm::normalize(Vec3{0.3, -0.5, 0.8}), Vec3{0.0}});
+    }
+    for (const Elements elements : {Elements::constant, Elements::linear}) {
+        const Rows rows(scene, 1.0, elements, receivers);
+        for (const float value : rows.values) ASSERT_TRUE(value >= 0.0F && value <= 1.0F + 1e-5F) << value;
     }
 }
 

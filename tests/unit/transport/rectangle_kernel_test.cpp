@@ -39,9 +39,9 @@ TEST(RectangleKernel, has_the_middle_of_the_sum_over_its_edges) {
         const KernelMiddle expected = kernel_middle(rectangle, frame, receiver);
         const KernelMiddle seen = rectangle_middle(frame, receiver);
         // Gauss's rule along different lines
-        EXPECT_NEAR(seen.middle.x, expected.middle.x, 1e-4);
-        EXPECT_NEAR(seen.middle.y, expected.middle.y, 1e-4);
-        EXPECT_NEAR(seen.product, expected.product, 1e-4);
+        EXPECT_NEAR(seen.middle.x, expected.middle.x, 1e-5);
+        EXPECT_NEAR(seen.middle.y, expected.middle.y, 1e-5);
+        EXPECT_NEAR(seen.product, expected.product, 1e-5);
     }
 }
 
