@@ -33,6 +33,13 @@ float slack_of(const FlatBox& box, double radius) {
 
 }  // namespace
 
+FourLine::FourLine(const FlatLine& line)
+    : a(all_four(static_cast<float>(line.a))),
+      b(all_four(static_cast<float>(line.b))),
+      c(all_four(static_cast<float>(line.c))),
+      size_a(all_four(std::abs(a[0]))),
+      size_b(all_four(std::abs(b[0]))) {}
+
 ShadedFace::ShadedFace(const Mesh& mesh, const FaceLayout& of)
     : layout(&of), along(of.along), across(of.across), normal(of.face->face.normal) {
     for (const Vec3& corner : of.corners) origin += corner / static_cast<double>(of.corners.size());

@@ -6,11 +6,17 @@
 #include "engine/transport/seen_face.h"
 
 #include <bit>
-#include <cmath>
 #include <span>
 #include <vector>
 
 namespace hanei {
+
+/// A line in single precision, as it is held against four places or bounds.
+struct FourLine {
+    Four a, b, c, size_a, size_b;
+
+    explicit FourLine(const FlatLine& line);
+};
 
 /// Holds     places relative to `origin`, the middle of the face, so that floats tell lines that cross it
 ///           to 4e-7 of its radius.
@@ -58,19 +64,17 @@ private:
 };
 
 /// Calls `found(patch, crossed)` for every patch that is not beyond one of the lines: `crossed` where it
-/// may not lie inside all of them.
+/// may not lie inside all of them. Only groups that meet `within` are looked at.
 template <class Found>
-void for_each_shaded(const ShadedFace& face, std::span<const FlatLine> lines, Found&& found) {
-    const FlatBox shade = face.shade_of(lines);
+void for_each_shaded(const ShadedFace& face, std::span<const FourLine> lines, const FlatBox& within, Found&& found) {
     for (std::size_t block = 0; block < face.blocks.size(); ++block) {
-        for (unsigned groups = face.reached(face.blocks[block], shade); groups != 0; groups &= groups - 1) {
+        for (unsigned groups = face.reached(face.blocks[block], within); groups != 0; groups &= groups - 1) {
             const std::size_t group = ShadedFace::lanes * block + static_cast<std::size_t>(std::countr_zero(groups));
-            const ShadedFace::Group& patches = face.groups[group];
+            const ShadedFace::Group patches = face.groups[group];
             FourFlags beyond{}, crossed{};
-            for (const FlatLine& line : lines) {
-                const auto a = static_cast<float>(line.a), b = static_cast<float>(line.b);
-                const Four height = patches.u * a + patches.v * b + static_cast<float>(line.c);
-                const Four reach = patches.half_u * std::abs(a) + patches.half_v * std::abs(b);
+            for (const FourLine& line : lines) {
+                const Four height = patches.u * line.a + patches.v * line.b + line.c;
+                const Four reach = patches.half_u * line.size_a + patches.half_v * line.size_b;
                 beyond |= height - reach >= -patches.slack;
                 crossed |= height + reach > patches.slack;
             }

@@ -16,13 +16,26 @@ constexpr double sharp = 1e-6;
 
 double size_of(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr FlatBox everywhere{-infinite, -infinite, infinite, infinite};
+
+FlatBox around(const FlatBox& a, const FlatBox& b) {
+    return {std::min(a.low_u, b.low_u), std::min(a.low_v, b.low_v), std::max(a.high_u, b.high_u),
+            std::max(a.high_v, b.high_v)};
+}
+
+FlatBox common(const FlatBox& a, const FlatBox& b) {
+    return {std::max(a.low_u, b.low_u), std::max(a.low_v, b.low_v), std::min(a.high_u, b.high_u),
+            std::min(a.high_v, b.high_v)};
+}
+
 struct Extent {
     double low, high;
 };
 
 /// Heights of the face's corners.
 Extent extent_of(const ShadedFace& face, const FlatLine& line) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    double low = infinite, high = -infinite;
     for (std::size_t k = 0; k < face.corners.count; ++k) {
         const double height = line.height(face.corners.u[k], face.corners.v[k]);
         low = std::min(low, height);
@@ -52,7 +65,7 @@ bool ShadowCast::write(const ShadedFace& face, std::size_t receiver, std::span<c
         return true;
     }
     if (cast_count_ == 0) return false;
-    mark_all(face);
+    mark_all(face, everywhere);
     for (std::uint32_t p = 0; p < count; ++p) {
         if (hidden_[p]) {
             shares[p] = 0.0F;
@@ -64,13 +77,13 @@ bool ShadowCast::write(const ShadedFace& face, std::size_t receiver, std::span<c
 }
 
 void ShadowCast::rewrite(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies,
-                         std::span<const char> patches, float* row) {
+                         const ShadedPatches& patches, float* row) {
     look_at(face, receivers_[receiver]);
     float* shares = row + face.layout->face->first_patch;
     const bool all_hidden = cast_all(face, receiver, bodies);
-    if (!all_hidden) mark_all(face);
+    if (!all_hidden) mark_all(face, patches.bounds);
     for (std::uint32_t p = 0; p < face.size(); ++p) {
-        if (!patches[p]) continue;
+        if (!patches.flags[p]) continue;
         if (all_hidden || hidden_[p]) {
             shares[p] = 0.0F;
         } else {
@@ -80,31 +93,34 @@ void ShadowCast::rewrite(const ShadedFace& face, std::size_t receiver, std::span
 }
 
 bool ShadowCast::find_shaded(const ShadedFace& face, std::size_t receiver, BodyShadows& shadows,
-                             std::span<const BodyIndex> bodies, std::vector<char>& patches) {
+                             std::span<const BodyIndex> bodies, ShadedPatches& patches) {
     look_at(face, receivers_[receiver]);
-    patches.assign(face.size(), 0);
     bool any = false;
-    Cast cast;
     for (const BodyIndex body : bodies) {
         std::size_t unknown = ~std::size_t{0};
-        const Shaded shaded = cast_on(face, shadows.of(receiver, body), cast, unknown);
+        const Shaded shaded = cast_on(face, shadows.of(receiver, body), cast_, unknown);
         if (shaded == Shaded::nothing) continue;
-        any = true;
         if (shaded == Shaded::everything) {
-            patches.assign(face.size(), 1);
+            patches.flags.assign(face.size(), 1);
+            patches.bounds = everywhere;
             return true;
         }
-        for_each_shaded(face, cast.lines, [&](std::size_t patch, bool) { patches[patch] = 1; });
+        const FlatBox shade = face.shade_of(cast_.lines);
+        if (!any) patches.flags.assign(face.size(), 0);
+        patches.bounds = any ? around(patches.bounds, shade) : shade;
+        any = true;
+        for_each_shaded(face, cast_.four, shade, [&](std::size_t patch, bool) { patches.flags[patch] = 1; });
     }
     return any;
 }
 
-void ShadowCast::mark_all(const ShadedFace& face) {
+void ShadowCast::mark_all(const ShadedFace& face, const FlatBox& within) {
     hidden_.assign(face.size(), 0);
     first_cut_.assign(face.size(), Cut::none);
     cuts_.clear();
     for (std::uint32_t k = 0; k < cast_count_; ++k) {
-        for_each_shaded(face, casts_[k].lines, [&](std::size_t patch, bool crossed) { mark(patch, crossed, k); });
+        for_each_shaded(face, casts_[k].four, common(face.shade_of(casts_[k].lines), within),
+                        [&](std::size_t patch, bool crossed) { mark(patch, crossed, k); });
     }
 }
 
@@ -165,6 +181,7 @@ ShadowCast::Shaded ShadowCast::cast_on(const ShadedFace& face, const BodyShadows
     }
     cast.planes.clear();
     cast.lines.clear();
+    cast.four.clear();
     for (std::size_t k = 0; k < shadow.planes.size(); ++k) {
         const HalfSpace& plane = shadow.planes[k];
         const FlatLine line = line_of(face, plane);
@@ -178,6 +195,7 @@ ShadowCast::Shaded ShadowCast::cast_on(const ShadedFace& face, const BodyShadows
         const double scale = 1.0 / std::sqrt(line.a * line.a + line.b * line.b);
         cast.planes.push_back({plane.outward, plane.reach, slack});
         cast.lines.push_back({scale * line.a, scale * line.b, scale * line.c});
+        cast.four.emplace_back(cast.lines.back());
     }
     return cast.lines.empty() ? Shaded::everything : Shaded::part;
 }

@@ -30,14 +30,20 @@ public:
     /// Returns   false when nothing is hidden.
     bool write(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies, float* row);
 
+    /// Patches of a face on which a shadow falls at least in part.
+    struct ShadedPatches {
+        std::vector<char> flags;  ///< one a patch
+        FlatBox bounds;           ///< of all shadows
+    };
+
     /// The same for some patches of the face, those that are 1 as well.
     void rewrite(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies,
-                 std::span<const char> patches, float* row);
+                 const ShadedPatches& patches, float* row);
 
-    /// Flags patches on which the shadow of one of the bodies, of any set, falls at least in part.
+    /// Finds patches on which the shadow of one of the bodies, of any set, falls.
     /// Returns   false when there is none.
     bool find_shaded(const ShadedFace& face, std::size_t receiver, BodyShadows& shadows,
-                     std::span<const BodyIndex> bodies, std::vector<char>& patches);
+                     std::span<const BodyIndex> bodies, ShadedPatches& patches);
 
     /// Another face, or other bodies, follow.
     void next_face() { misses_.clear(); }
@@ -50,6 +56,7 @@ private:
     struct Cast {
         std::vector<HalfSpace> planes;
         std::vector<FlatLine> lines;
+        std::vector<FourLine> four;
     };
     struct Cut {
         std::uint32_t cast = 0;
@@ -61,7 +68,7 @@ private:
     bool cast_all(const ShadedFace& face, std::size_t receiver, std::span<const BodyIndex> bodies);
     Shaded cast_on(const ShadedFace& face, const BodyShadows::Shadow& shadow, Cast& cast, std::size_t& misses) const;
     FlatLine line_of(const ShadedFace& face, const HalfSpace& plane) const;
-    void mark_all(const ShadedFace& face);
+    void mark_all(const ShadedFace& face, const FlatBox& within);
     void mark(std::size_t patch, bool crossed, std::uint32_t cast);
     float share_of(const ShadedFace& face, std::uint32_t patch);
     bool flat_share(const ShadedFace& face, std::uint32_t patch, float& share);
@@ -78,6 +85,7 @@ private:
     double rounding_ = 0.0;  ///< of a height over a plane through the receiver, for a direction of size 1
     FlatView view_;
     std::vector<Cast> casts_;
+    Cast cast_;
     std::size_t cast_count_ = 0;
     std::vector<std::size_t> misses_;  ///< by which plane each body's shadow last missed the face
     std::vector<char> hidden_;

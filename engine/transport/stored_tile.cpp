@@ -97,14 +97,18 @@ public:
 
     /// Its kind, and the codes of its shares where it is veiled.
     BlockKind of(const float* shares, std::size_t count) {
-        bool any = false;
-        for (const Factor factor : factors_) any |= factor != Factor{};
-        if (!any) return BlockKind::dark;
-        if (!shares || std::all_of(shares, shares + count, [](float share) { return share == 1.0F; })) {
-            return BlockKind::clear;
+        Factor any{};
+        for (const Factor factor : factors_) any = std::max(any, factor);
+        if (any == Factor{}) return BlockKind::dark;
+        if (!shares) return BlockKind::clear;
+        std::uint32_t off_one = 0, off_zero = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto bits = std::bit_cast<std::uint32_t>(shares[k]);
+            off_one |= bits ^ std::bit_cast<std::uint32_t>(1.0F);
+            off_zero |= bits;
         }
-        if (std::all_of(shares, shares + count, [](float share) { return share == 0.0F; })) return BlockKind::dark;
-        return mixed(shares, count);
+        if (off_one == 0) return BlockKind::clear;
+        return off_zero == 0 ? BlockKind::dark : mixed(shares, count);
     }
     const Share* codes() const { return codes_.data(); }
 
@@ -126,7 +130,7 @@ private:
 
     std::size_t each_;
     std::array<Factor, block> factors_;
-    std::array<Share, block> codes_{};
+    std::array<Share, block> codes_;
 };
 
 template <class Factor, class Share>

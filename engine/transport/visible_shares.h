@@ -61,7 +61,7 @@ private:
     std::vector<BodyIndex> likely_;  // the body that last hid a face from all of a run, one a face
     std::vector<BodyIndex> bodies_;
     std::vector<BodyIndex> changed_;  // bodies that may stand, or have stood, between the run and a face
-    std::vector<char> shaded_;        // patches of a face
+    ShadowCast::ShadedPatches shaded_;
 };
 
 }  // namespace hanei
