@@ -4,19 +4,24 @@
 #include "engine/transport/stored_tile.h"
 
 #include <span>
+#include <vector>
 
 namespace hanei {
 
-/// Columns of numbers, each begun at a cache line and filled up with zeros to whole blocks.
+/// Columns of numbers, each begun at a cache line and filled up with zeros to whole blocks. For compact
+/// rows, whose codes are read as very small numbers, they are multiplied with a power of two each, which
+/// a product with `back` undoes: not a bit is lost.
 class Columns {
 public:
     /// `interleaved`: number s of row j at j * sides + s.
-    Columns(std::span<const double> interleaved, std::size_t sides, std::size_t length);
-    std::size_t sides() const { return sides_; }
+    Columns(std::span<const double> interleaved, std::size_t sides, std::size_t length, RowFormat format);
+    std::size_t sides() const { return back_.size(); }
     const double* operator[](std::size_t side) const { return at_ + side * stride_; }
+    double back(std::size_t side) const { return back_[side]; }
 
 private:
-    std::size_t sides_, stride_;
+    std::vector<double> back_;
+    std::size_t stride_;
     Lines memory_;
     const double* at_;
 };

@@ -119,7 +119,7 @@ bool StoredRows::multiply(std::span<const double> leaving, std::span<double> arr
                           const Work& work) const {
     HANEI_CHECK(leaving.size() == columns() * sides && arriving.size() == rows() * sides);
     if (sides == 0) return true;
-    const Columns numbers(leaving, sides, columns());
+    const Columns numbers(leaving, sides, columns(), shape_.format);
     Spare<StoredTile> buffers([] { return StoredTile{}; });
     const auto product = [&](std::size_t tile, const StoredTile& stored) {
         multiply_tile(shape_, rows_of(tile), stored.factors.all(), stored.shares.all(), numbers,

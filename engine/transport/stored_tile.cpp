@@ -23,7 +23,7 @@ public:
     /// `greatest`: bits of the row's greatest. Rows of nothing above 1e-29 are not moved.
     explicit Codes(std::int32_t greatest) : shift_(std::max(0, (greatest >> mantissa_bits) - top)) {}
 
-    /// What the codes, read as floats (see row_product.cpp), are to be multiplied with.
+    /// What the codes, read as floats (see row_kernel.h), are to be multiplied with.
     double scale() const { return std::ldexp(1.0, shift_); }
 
     std::uint16_t of(float value) const {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <gtest/gtest.h>
 #include <random>
+#include <sys/resource.h>
 #include <system_error>
 
 namespace hanei {
@@ -215,6 +217,24 @@ TEST(StoredRows, a_folder_that_cannot_be_written_is_named) {
     } catch (const std::system_error& error) {
         EXPECT_NE(std::string(error.what()).find("/proc/no such folder"), std::string::npos) << error.what();
     }
+}
+
+TEST(StoredRows, a_full_disk_ends_the_computation_with_a_sentence) {
+    const Matrix matrix(200, 1000, 1);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{100'000, before.rlim_max};  // bytes a file may have: as if the disk were full
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    std::string message;
+    try {
+        matrix.stored({RowFormat::exact, nothing});
+    } catch (const std::system_error& error) {
+        message = error.what();
+    }
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_NE(message.find("cannot be written in the folder"), std::string::npos) << message;
 }
 
 TEST(StoredRows, a_stopped_computation_returns_nothing) {
