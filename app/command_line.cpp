@@ -21,15 +21,15 @@ namespace {
 class CommonOptions {
 public:
     void add_to(CLI::App& command) {
-        command.add_option("--method", method_, "Method of interreflection: paper or patch")
-            ->check(CLI::IsMember({std::string(name_of(Method::paper)), std::string(name_of(Method::patch))}));
+        std::vector<std::string> names;
+        for (const Method method : methods) names.emplace_back(name_of(method));
+        command.add_option("--method", method_, "Method of interreflection")->check(CLI::IsMember(names));
         std::apply([&](const auto&... option) { (add(command, option), ...); }, options);
     }
 
     SettingsChange change() const {
         return [this](Settings& settings) {
-            if (method_ == name_of(Method::paper)) settings.method = Method::paper;
-            if (method_ == name_of(Method::patch)) settings.method = Method::patch;
+            if (const auto method = method_named(method_)) settings.method = *method;
             for (const auto& [name, apply] : given_) apply(settings);
         };
     }

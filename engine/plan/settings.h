@@ -1,26 +1,38 @@
 /// How a scene shall be computed: one list of settings for command line, panel and project file.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 
 namespace hanei {
 
-/// Methods of interreflection. `paper`: grid points, point-to-point form factors, row visibility,
-/// a fixed number of bounces (Nishita and Nakamae 1985). `patch`: patch centres, analytic form
-/// factors of the visible part.
-enum class Method { paper, patch };
+/// Methods of interreflection.
+///   paper         grid points, point-to-point form factors, row visibility, a fixed number of bounces
+///                 (Nishita and Nakamae 1985)
+///   paper-closed  the same with every row scaled to what the point really sees
+///   patch         patch centres, analytic form factors of the visible part
+///   linear        patches over which the exitance slopes, crowded towards edges
+enum class Method { paper, paper_closed, patch, linear };
 
-std::string_view name_of(Method method);
+inline constexpr std::array methods{Method::paper, Method::paper_closed, Method::patch, Method::linear};
+
+std::string_view name_of(Method method);  ///< as every door writes it
+std::optional<Method> method_named(std::string_view name);
+
+/// Unknowns at grid points, as in the paper.
+bool is_of_the_paper(Method method);
 
 struct Settings {
     Method method = Method::patch;
-    double max_patch = 0.5;    ///< m, wished patch width (the paper's W)
-    int bounces = 1000;        ///< interreflections at most; the accuracy usually ends them earlier
-    double accuracy = 0.001;   ///< share of the value that the iteration may leave unknown
+    double max_patch = 0.5;      ///< m, wished patch width (the paper's W)
+    int bounces = 1000;          ///< interreflections at most; the accuracy usually ends them earlier
+    double accuracy = 0.001;     ///< share of the value that the iteration and sampled direct light may leave unknown
     double tolerance_lux = 0.0;  ///< lx, effects may be skipped while their bounds sum to less
-    int threads = 0;           ///< 0: all of the machine's
+    int threads = 0;             ///< 0: all of the machine's
+    int memory_mb = 1024;        ///< form factors past this go to a file and are read back row by row
     bool operator==(const Settings&) const = default;
 };
 
@@ -32,7 +44,7 @@ struct Option {
     std::string_view unit;
     std::string_view help;
     T Settings::*member;
-    T low;   ///< allowed, as shown
+    T low;  ///< allowed, as shown
     T high;
     double scale = 1.0;
 };
@@ -41,10 +53,12 @@ struct Option {
 inline constexpr std::tuple options{
     Option<double>{"max-patch", "m", "Wished patch width", &Settings::max_patch, 0.01, 50.0},
     Option<int>{"bounces", "", "Stop after this many interreflections at the latest", &Settings::bounces, 0, 100'000},
-    Option<double>{"accuracy", "percent", "Stop iterating when this much of each value at most is unknown",
+    Option<double>{"accuracy", "percent", "Share of each value that iterating and sampling may leave unknown",
                    &Settings::accuracy, 1e-7, 50.0, 100.0},
-    Option<double>{"tolerance", "lx", "Skip effects while their bounds sum to less than this",
-                   &Settings::tolerance_lux, 0.0, 1e6},
+    Option<double>{"tolerance", "lx", "Skip effects while their bounds sum to less than this", &Settings::tolerance_lux,
+                   0.0, 1e6},
+    Option<int>{"memory", "MB", "Form factors that need more memory than this are read from disk", &Settings::memory_mb,
+                16, 1'000'000},
     Option<int>{"threads", "", "Threads to compute with; 0 takes all", &Settings::threads, 0, 1024},
 };
 

@@ -28,14 +28,12 @@ void take_option(Fields& fields, const Option<T>& option, Settings& settings) {
 void take_method(Fields& fields, Settings& settings) {
     std::string name;
     if (!fields.optional("method", name)) return;
-    std::string known;
-    for (const Method method : {Method::paper, Method::patch}) {
-        if (name == name_of(method)) {
-            settings.method = method;
-            return;
-        }
-        known += (known.empty() ? "" : ", ") + json_quoted(name_of(method));
+    if (const auto method = method_named(name)) {
+        settings.method = *method;
+        return;
     }
+    std::string known;
+    for (const Method method : methods) known += (known.empty() ? "" : ", ") + json_quoted(name_of(method));
     fields.error("method", "found " + json_quoted(name) + ", expected one of " + known);
 }
 

@@ -49,6 +49,20 @@ std::string grid_lines(const Axis& x, const Axis& y) {
     return svg;
 }
 
+const char* colour_of(Method method) {
+    switch (method) {
+        case Method::paper:
+            return "#b5523b";
+        case Method::paper_closed:
+            return "#c98a2b";
+        case Method::patch:
+            return "#2c6e9e";
+        case Method::linear:
+            return "#2f8a5b";
+    }
+    return "#2b313b";
+}
+
 std::string method_line(const std::vector<SweepPoint>& points, Method method, const char* colour, const Axis& x,
                         const Axis& y) {
     std::string path, marks;
@@ -107,11 +121,13 @@ std::string sweep_svg(const std::vector<SweepPoint>& points, const std::string& 
                        0.5 * (left + width - right), height - 20);
     svg += fmt::format("<text transform='translate(24 {:.1f}) rotate(-90)' text-anchor='middle'>mean error, %</text>\n",
                        0.5 * (top + height - bottom));
-    svg += method_line(points, Method::paper, "#b5523b", x, y) + method_line(points, Method::patch, "#2c6e9e", x, y);
-    svg += fmt::format(
-        "<text x='{0}' y='{1}' fill='#b5523b' text-anchor='end'>paper</text>\n"
-        "<text x='{0}' y='{2}' fill='#2c6e9e' text-anchor='end'>patch</text>\n",
-        width - right - 12, top + 20, top + 40);
+    double line = top + 20;
+    for (const Method method : methods) {
+        svg += method_line(points, method, colour_of(method), x, y);
+        svg += fmt::format("<text x='{}' y='{}' fill='{}' text-anchor='end'>{}</text>\n", width - right - 12, line,
+                           colour_of(method), name_of(method));
+        line += 20;
+    }
     return svg + "</svg>\n";
 }
 

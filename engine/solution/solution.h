@@ -105,15 +105,18 @@ struct Solution {
     std::shared_ptr<const OccluderSet> occluders;
     std::vector<double> patch_direct;          ///< lx, mean over each patch
     std::vector<double> patch_interreflected;  ///< lx
-    std::vector<double> patch_exitance;        ///< lm/m2, solved: what points gather from
-    std::vector<double> patch_exitance_half_width;
+
+    /// What points gather light from: one value a patch, or four of a linear patch (transport/nodes.h).
+    int nodes_a_patch = 1;
+    std::vector<double> exitance;             ///< lm/m2, solved
+    std::vector<double> exitance_half_width;  ///< lm/m2, a bound
     std::vector<double>
         patch_exitance_bands;  ///< lm/m2, 3 a patch: in the colour bands; empty when the scene is neutral
 
     /// The second, coarser solution that the mesh part of the error bars is estimated from; null
     /// when it was not asked for.
     std::shared_ptr<const Mesh> coarse_mesh;
-    std::vector<double> coarse_exitance;  ///< lm/m2, one a patch of the coarse mesh
+    std::vector<double> coarse_exitance;  ///< lm/m2, at the nodes of the coarse mesh
     double typical_mesh_error = 0.0;      ///< lx, root mean square difference of the two at all points
 
     std::vector<PointResult> points;

@@ -1,31 +1,14 @@
 #include "engine/study/level.h"
 
-#include "engine/base/check.h"
+#include "engine/scene/colour.h"
 #include "engine/study/stage_keys.h"
 
 #include <algorithm>
+#include <map>
 
 namespace hanei {
 
 namespace {
-
-std::vector<double> own_exitances(const Mesh& mesh, Method method) {
-    std::vector<double> own;
-    if (method == Method::paper) {
-        own.reserve(mesh.vertices.size());
-        for (const Vertex& vertex : mesh.vertices) own.push_back(vertex.own_exitance.value);
-    } else {
-        own.reserve(mesh.patches.size());
-        for (const Patch& patch : mesh.patches) own.push_back(patch.own_exitance.value);
-    }
-    return own;
-}
-
-std::vector<double> reflectances_of_unknowns(const Mesh& mesh, const Scene& scene, Method method) {
-    if (method == Method::paper) return vertex_reflectances(mesh, scene);
-    const PerPatch<double> per_patch = reflectances(mesh, scene);
-    return {per_patch.all().begin(), per_patch.all().end()};
-}
 
 /// Equal but for materials and what surfaces emit.
 bool same_shapes(const Mesh& a, const Mesh& b) {
@@ -41,153 +24,318 @@ bool same_shapes(const Mesh& a, const Mesh& b) {
            std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(), same_vertex);
 }
 
-std::vector<Receiver> centres_of(const Mesh& mesh) {
-    std::vector<Receiver> centres;
-    centres.reserve(mesh.patches.size());
-    for (const Patch& patch : mesh.patches) centres.push_back(mesh.centre_of(patch));
-    return centres;
+std::vector<Receiver> vertex_receivers(const Mesh& mesh) {
+    std::vector<Receiver> receivers;
+    receivers.reserve(mesh.vertices.size());
+    for (const Vertex& vertex : mesh.vertices) receivers.push_back(vertex.receiver);
+    return receivers;
 }
 
-/// Light that the surfaces send out on their own and by direct light only: what is known before
-/// any interreflection.
-LevelAnswer direct_answer(const Mesh& mesh, std::vector<double> direct) {
-    LevelAnswer answer;
-    answer.interreflected.assign(mesh.patches.size(), 0.0);
-    answer.exitance.assign(mesh.patches.size(), 0.0);
-    answer.exitance_half_width.assign(mesh.patches.size(), 0.0);
-    answer.direct = std::move(direct);
-    return answer;
+/// As floats while they are small against the memory they may take, else in fewer bits.
+RowStorage storage(const Settings& settings, std::size_t coefficients) {
+    const std::size_t memory = static_cast<std::size_t>(settings.memory_mb) * 1024 * 1024;
+    const bool small = coefficients * 2 * sizeof(float) <= memory / 4;
+    return {small || is_of_the_paper(settings.method) ? RowFormat::exact : RowFormat::compact, memory};
+}
+
+/// A figure of every patch, once for each of its nodes.
+template <class Value>
+std::vector<double> spread(const Mesh& mesh, const Nodes& nodes, Value&& value) {
+    std::vector<double> spread;
+    spread.reserve(nodes.size());
+    for (std::size_t p = 0; p < mesh.patches.size(); ++p) spread.insert(spread.end(), nodes.per_patch, value(p));
+    return spread;
+}
+
+/// The illuminance of all surfaces by each other if it were everywhere the same and no light got out:
+/// what first leaves them, times 1 / (1 - mean reflectance).
+double ambient_illuminance(std::span<const double> reflectance, std::span<const double> direct,
+                           std::span<const double> own_exitance, std::span<const double> areas) {
+    double area = 0.0, reflecting = 0.0, leaving = 0.0;
+    for (std::size_t k = 0; k < areas.size(); ++k) {
+        area += areas[k];
+        reflecting += areas[k] * reflectance[k];
+        leaving += areas[k] * (own_exitance[k] + reflectance[k] * direct[k]);
+    }
+    constexpr double most_kept = 0.99;  // nearly all light kept: an estimate, not a divergence
+    return area > 0.0 ? leaving / (area - std::min(reflecting, most_kept * area)) : 0.0;
 }
 
 }  // namespace
 
-std::shared_ptr<const Mesh> Level::mesh(const Scene& scene, double max_patch) {
-    const MeshKey key{surfaces_of(scene), max_patch};
-    const auto* mesh = mesh_.get(key, [&] { return std::optional(make_mesh(scene, max_patch)); });
-    if (!geometry_ || !same_shapes(*geometry_, **mesh)) geometry_ = *mesh;
-    return *mesh;
-}
-
-std::optional<std::vector<double>> Level::patch_direct(const LevelInput& input, const Work& work, StageClock& clock) {
-    const auto mesh = this->mesh(*input.scene, input.max_patch);
-    std::vector<ReceivingPolygon> polygons;
-    polygons.reserve(mesh->patches.size());
-    for (const Patch& patch : mesh->patches) polygons.push_back({patch.outline, mesh->faces[patch.face].face.normal});
-    auto direct =
-        patch_direct_.sum(*input.scene, polygons.size(), geometry_, input.occluders, [&](const Emitter& emitter) {
-            return mean_direct_illuminance(emitter, polygons, input.occluders.get(), work);
-        });
-    clock.mark_reused(patch_direct_.reused());
-    return direct;
-}
-
-std::optional<std::vector<double>> Level::vertex_direct(const LevelInput& input, const Work& work, StageClock& clock) {
-    const auto mesh = this->mesh(*input.scene, input.max_patch);
-    std::vector<Receiver> receivers;
-    receivers.reserve(mesh->vertices.size());
-    for (const Vertex& vertex : mesh->vertices) receivers.push_back(vertex.receiver);
-    auto direct = vertex_direct_.sum(
-        *input.scene, receivers.size(), geometry_, input.occluders,
-        [&](const Emitter& emitter) { return direct_illuminance(emitter, receivers, input.occluders.get(), work); });
-    clock.mark_reused(vertex_direct_.reused());
-    return direct;
-}
-
-const Visibility* Level::visibility(const LevelInput& input, const VisibilityKey& key, const Mesh& mesh,
-                                    const Work& work, StageClock& clock) {
-    if (input.settings->method == Method::paper) {
-        const Visibility* visibility = paper_visibility_.get(key, [&]() -> std::optional<Visibility> {
-            return input.patch_occluders ? paper_visibility(mesh, *input.patch_occluders, work) : Visibility{};
-        });
-        clock.mark_reused(paper_visibility_.reused());
-        return visibility;
-    }
-    const Visibility* visibility =
-        patch_visibility_.get({geometry_, geometry_}, mesh, centres_of(mesh), input.patch_occluders, work);
-    clock.mark_reused(patch_visibility_.reused());
-    return visibility;
-}
-
-const Balance* Level::solve_balance(const LevelInput& input, const std::vector<double>& direct, const Work& work,
-                                    StageClock& clock) {
-    const auto mesh = this->mesh(*input.scene, input.max_patch);
-    const Method method = input.settings->method;
-    const bool paper = method == Method::paper;
-
-    clock.enter(Stage::factors);
-    const FactorKey factor_key{geometry_, method};
-    const DenseRows* factors = factors_.get(
-        factor_key, [&] { return paper ? paper_factors(*mesh, work) : patch_factors(*mesh, centres_of(*mesh), work); });
-    clock.mark_reused(factors_.reused());
-    if (!factors) return nullptr;
-
-    const VisibilityKey visibility_key{factor_key, input.patch_occluders};
-    const Visibility* visibility = this->visibility(input, visibility_key, *mesh, work, clock);
-    if (!visibility) return nullptr;
-
-    clock.enter(Stage::balance);
-    const BalanceKey key{visibility_key,
-                         reflectances_of_unknowns(*mesh, *input.scene, method),
-                         direct,
-                         own_exitances(*mesh, method),
-                         input.settings->bounces,
-                         input.settings->accuracy};
-    const Balance* balance = balance_.get(key, [&] {
-        return hanei::balance({factors, visibility, key.reflectance, key.direct, key.own_exitance},
-                              {key.bounces, key.accuracy}, work);
+Level::Cut Level::cut(const Scene& scene, double max_patch, Method method) {
+    const Elements elements = method == Method::linear ? Elements::linear : Elements::constant;
+    const MeshKey key{surfaces_of(scene), max_patch, method};
+    const Cut* made = cuts_.get(key, [&] {
+        Cut cut;
+        cut.mesh = make_mesh(scene, max_patch, method == Method::linear ? Grading::crowded : Grading::uniform);
+        cut.nodes = std::make_shared<const Nodes>(nodes_of(*cut.mesh, elements));
+        return std::optional(std::move(cut));
     });
-    clock.mark_reused(balance_.reused());
-    return balance;
+    if (!geometry_ || elements != cut_.nodes->elements || !same_shapes(*geometry_, *made->mesh)) {
+        geometry_ = made->mesh;
+        unknowns_ = is_of_the_paper(method) ? vertex_receivers(*made->mesh) : made->nodes->receivers;
+    }
+    of_the_paper_ = is_of_the_paper(method);
+    return cut_ = *made;
+}
+
+std::vector<double> Level::patch_values(std::span<const double> at_unknowns) const {
+    if (at_unknowns.empty()) return std::vector<double>(cut_.mesh->patches.size(), 0.0);
+    return of_the_paper_ ? patch_exitance(*cut_.mesh, at_unknowns) : patch_means(*cut_.nodes, at_unknowns);
+}
+
+std::vector<double> Level::node_values(std::span<const double> at_unknowns) const {
+    if (at_unknowns.empty()) return std::vector<double>(cut_.nodes->size(), 0.0);
+    return of_the_paper_ ? patch_exitance(*cut_.mesh, at_unknowns)
+                         : std::vector<double>(at_unknowns.begin(), at_unknowns.end());
+}
+
+std::vector<double> Level::vertex_values(std::span<const double> at_unknowns) const {
+    if (at_unknowns.empty()) return std::vector<double>(cut_.mesh->vertices.size(), 0.0);
+    return of_the_paper_ ? std::vector<double>(at_unknowns.begin(), at_unknowns.end())
+                         : hanei::vertex_values(*cut_.mesh, *cut_.nodes, at_unknowns);
+}
+
+/// Means over patches, at the nodes of linear elements by means over their quarters.
+LightReceivers Level::receivers_at_nodes(const LevelInput& input, const Work& work) const {
+    LightReceivers receivers;
+    receivers.identity = geometry_;
+    receivers.count = cut_.mesh->patches.size();
+    receivers.figures = cut_.nodes->per_patch;
+    receivers.accuracy = input.direct_accuracy;
+    receivers.places = [mesh = cut_.mesh](std::size_t p) { return std::span<const Vec3>(mesh->patches[p].outline); };
+    const bool linear = cut_.nodes->elements == Elements::linear;
+    receivers.compute = [this, linear, &input, &work](const Emitter& emitter, std::span<const std::uint32_t> which) {
+        return linear ? means_of_quarters(emitter, which, input, work) : means_of_patches(emitter, which, input, work);
+    };
+    return receivers;
+}
+
+std::optional<std::vector<double>> Level::means_of_patches(const Emitter& emitter, std::span<const std::uint32_t> which,
+                                                           const LevelInput& input, const Work& work) const {
+    std::vector<ReceivingPolygon> polygons;
+    polygons.reserve(which.size());
+    for (const std::uint32_t p : which) {
+        const Patch& patch = cut_.mesh->patches[p];
+        polygons.push_back({patch.outline, cut_.mesh->faces[patch.face].face.normal});
+    }
+    auto means = mean_direct_estimates(emitter, polygons, input.occluders.get(), input.direct_accuracy, work);
+    if (means) means->resize(which.size());  // their errors come after them
+    return means;
+}
+
+std::optional<std::vector<double>> Level::means_of_quarters(const Emitter& emitter,
+                                                            std::span<const std::uint32_t> which,
+                                                            const LevelInput& input, const Work& work) const {
+    const Mesh& mesh = *cut_.mesh;
+    std::vector<std::array<Polygon, 4>> quarters;
+    std::vector<ReceivingPolygon> polygons;
+    quarters.reserve(which.size());
+    for (const std::uint32_t p : which) {
+        const Patch& patch = mesh.patches[p];
+        const auto& parts = quarters.emplace_back(quarters_of(mesh, *cut_.nodes, PatchId{p}));
+        for (const Polygon& part : parts) polygons.push_back({part, mesh.faces[patch.face].face.normal});
+    }
+    const auto means = mean_direct_estimates(emitter, polygons, input.occluders.get(), input.direct_accuracy, work);
+    if (!means) return std::nullopt;
+    std::vector<double> values;
+    values.reserve(4 * which.size());
+    for (std::size_t k = 0; k < which.size(); ++k) {
+        std::array<double, 4> of_quarters{};
+        std::copy_n(means->begin() + static_cast<std::ptrdiff_t>(4 * k), 4, of_quarters.begin());
+        const auto at_nodes = node_values_of_quarters(mesh, *cut_.nodes, PatchId{which[k]}, of_quarters);
+        values.insert(values.end(), at_nodes.begin(), at_nodes.end());
+    }
+    return values;
+}
+
+/// The paper's unknowns: light at the grid points themselves.
+LightReceivers Level::receivers_at_vertices(const LevelInput& input, const Work& work) const {
+    LightReceivers receivers;
+    receivers.identity = geometry_;
+    receivers.count = unknowns_.size();
+    receivers.places = [mesh = cut_.mesh](std::size_t k) { return std::span(&mesh->vertices[k].receiver.position, 1); };
+    receivers.compute = [this, &input, &work](const Emitter& emitter, std::span<const std::uint32_t> which) {
+        std::vector<Receiver> some;
+        some.reserve(which.size());
+        for (const std::uint32_t k : which) some.push_back(unknowns_[k]);
+        return direct_illuminance(emitter, some, input.occluders.get(), work);
+    };
+    return receivers;
+}
+
+std::vector<double> Level::reflectances(const Scene& scene, int band) const {
+    std::map<ObjectId, double> by_material;
+    for (const Material& material : scene.materials)
+        by_material.emplace(material.id, band_reflectances(material)[static_cast<std::size_t>(band)]);
+    const auto of = [&](ObjectId material) {
+        const auto found = by_material.find(material);
+        return found == by_material.end() ? 0.0 : found->second;
+    };
+    if (!of_the_paper_)
+        return spread(*cut_.mesh, *cut_.nodes, [&](std::size_t p) { return of(cut_.mesh->patches[p].material); });
+    std::vector<double> values;
+    for (const Vertex& vertex : cut_.mesh->vertices) values.push_back(of(vertex.material));
+    return values;
+}
+
+std::vector<double> Level::unknown_areas() const {
+    if (!of_the_paper_) return cut_.nodes->areas;
+    std::vector<double> areas;
+    for (const Vertex& vertex : cut_.mesh->vertices) areas.push_back(vertex.area);
+    return areas;
+}
+
+std::vector<double> Level::own_exitances() const {
+    if (!of_the_paper_)
+        return spread(*cut_.mesh, *cut_.nodes, [&](std::size_t p) { return cut_.mesh->patches[p].own_exitance.value; });
+    std::vector<double> values;
+    for (const Vertex& vertex : cut_.mesh->vertices) values.push_back(vertex.own_exitance.value);
+    return values;
+}
+
+/// Light of every group that is not dark on the unknowns, one list a member; empty when stopped.
+std::optional<std::vector<SideInput>> Level::side_inputs(const LevelInput& input, const Work& work) {
+    const LightReceivers receivers =
+        of_the_paper_ ? receivers_at_vertices(input, work) : receivers_at_nodes(input, work);
+    const int bands = is_neutral(*input.scene) ? 1 : colour_bands;
+    const std::vector<double> own = own_exitances();
+    const bool shines = std::any_of(own.begin(), own.end(), [](double exitance) { return exitance > 0.0; });
+    std::vector<std::vector<double>> reflecting;
+    for (int band = 0; band < bands; ++band) reflecting.push_back(reflectances(*input.scene, band));
+
+    direct_.start();
+    std::vector<SideInput> inputs;
+    levels_.clear();
+    for (const LightGroup& group : light_groups(*input.scene)) {
+        const bool surfaces = group.members.empty();
+        if (surfaces ? !shines : group.level <= 0.0) continue;
+        SideInput side;
+        for (const LightGroup::Member& member : group.members) {
+            side.direct.push_back(direct_.of(*input.scene, *member.luminaire, receivers, input.occluders));
+            if (!side.direct.back()) return std::nullopt;
+        }
+        for (int band = 0; band < bands; ++band) {
+            SideInput& made = inputs.emplace_back(side);
+            made.name = {surfaces ? ObjectId{} : group.members.front().luminaire->id, band};
+            made.reflectance = reflecting[static_cast<std::size_t>(band)];
+            for (const LightGroup::Member& member : group.members)
+                made.shares.push_back(member.share * band_output(*member.luminaire, *input.scene)[band]);
+            if (surfaces) made.own_exitance = own;
+            made.limits = {input.settings->bounces, input.settings->accuracy};
+            const double weight = bands == 1 ? 1.0 : luminance_weights[band];
+            levels_.push_back({group.level, weight, band, nullptr});
+        }
+    }
+    direct_.forget_others(*input.scene);
+    return inputs;
+}
+
+/// Means over patches: those of the unknowns, but for the paper's grid points.
+std::optional<std::vector<double>> Level::patch_direct(const LevelInput& input, std::span<const SideInput> sides,
+                                                       const Work& work) {
+    if (of_the_paper_) return patch_direct_.sum(*input.scene, receivers_at_nodes(input, work), input.occluders);
+    std::vector<double> total(unknowns_.size(), 0.0);
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+        const std::vector<double> direct = sides[s].direct_sum();
+        const double share = levels_[s].level * levels_[s].band_weight;
+        for (std::size_t k = 0; k < total.size(); ++k) total[k] += share * direct[k];
+    }
+    return patch_values(total);
+}
+
+RowsInput Level::rows_between_surfaces(const LevelInput& input) const {
+    RowsInput rows;
+    rows.kind = input.settings->method == Method::paper          ? RowsInput::Kind::paper
+                : input.settings->method == Method::paper_closed ? RowsInput::Kind::paper_closed
+                                                                 : RowsInput::Kind::nodes;
+    rows.mesh = cut_.mesh;
+    rows.nodes = cut_.nodes;
+    rows.geometry = rows.receivers_are = geometry_;
+    rows.receivers = unknowns_;
+    rows.occluders = input.patch_occluders;
+    rows.storage = storage(*input.settings, unknowns_.size() * unknowns_.size());
+    return rows;
+}
+
+/// Before any interreflection: direct light, and one ambient illuminance for all that is reflected.
+LevelAnswer Level::first_guess(std::span<const SideInput> sides, std::vector<double> patch_direct) const {
+    LevelAnswer answer;
+    answer.patch_direct = std::move(patch_direct);
+    const std::vector<double> areas = unknown_areas();
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+        auto light = std::make_shared<SideLight>();
+        light->direct = sides[s].direct_sum();
+        const std::vector<double> own =
+            sides[s].own_exitance.empty() ? std::vector<double>(areas.size(), 0.0) : sides[s].own_exitance;
+        const double ambient = ambient_illuminance(sides[s].reflectance, light->direct, own, areas);
+        light->interreflected.assign(areas.size(), ambient);
+        light->exitance = own;
+        for (std::size_t k = 0; k < areas.size(); ++k)
+            light->exitance[k] += sides[s].reflectance[k] * (light->direct[k] + ambient);
+        light->exitance_half_width.assign(areas.size(), 0.0);
+        LightPart part = levels_[s];
+        part.light = std::move(light);
+        answer.parts.push_back(std::move(part));
+    }
+    answer.converged = false;
+    return answer;
 }
 
 std::optional<LevelAnswer> Level::solve(const LevelInput& input, const Work& work, StageClock& clock,
-                                        const std::function<void(const LevelAnswer&)>& on_direct) {
-    const auto mesh = this->mesh(*input.scene, input.max_patch);
+                                        const std::function<void(const LevelAnswer&)>& on_way) {
+    cut(*input.scene, input.max_patch, input.settings->method);
     clock.enter(Stage::direct);
-    auto direct = patch_direct(input, work, clock);
-    if (!direct) return std::nullopt;
-    LevelAnswer answer = direct_answer(*mesh, std::move(*direct));
-    if (on_direct) on_direct(answer);
+    auto sides = side_inputs(input, work);
+    if (!sides) return std::nullopt;
+    auto patch_light = patch_direct(input, *sides, work);
+    if (!patch_light) return std::nullopt;
+    clock.mark_reused(direct_.reused());
+    if (on_way) on_way(first_guess(*sides, *patch_light));
+
+    LevelAnswer answer;
+    answer.patch_direct = std::move(*patch_light);
     if (!input.plan->simulates(Effect::interreflection)) return answer;
 
-    const bool paper = input.settings->method == Method::paper;
-    if (paper) {
-        auto at_vertices = vertex_direct(input, work, clock);
-        if (!at_vertices) return std::nullopt;
-        answer.vertex_direct = std::move(*at_vertices);
-    }
-    const Balance* balance = solve_balance(input, paper ? answer.vertex_direct : answer.direct, work, clock);
-    if (!balance) return std::nullopt;
-    answer.bounces = balance->bounces;
-    answer.converged = balance->converged;
-    answer.greatest_row_sum = balance->greatest_row_sum;
-    if (paper) {
-        answer.vertex_interreflected = balance->interreflected;
-        answer.interreflected = patch_exitance(*mesh, balance->interreflected);
-        answer.exitance = patch_exitance(*mesh, balance->exitance);
-        answer.exitance_half_width = patch_exitance(*mesh, balance->exitance_half_width);
-    } else {
-        answer.interreflected = balance->interreflected;
-        answer.exitance = balance->exitance;
-        answer.exitance_half_width = balance->exitance_half_width;
+    clock.enter(Stage::factors);
+    const StoredRows* const rows = rows_.get(rows_between_surfaces(input), work);
+    if (!rows) return std::nullopt;
+    clock.mark_reused(rows_.reused());
+
+    clock.enter(Stage::balance);
+    for (SideInput& side : *sides) side.rows = rows_.version();
+    const Exchange exchange = [&](std::span<const double> leaving, std::span<double> arriving, std::size_t count) {
+        return rows->multiply(leaving, arriving, count, work);
+    };
+    const auto lights = sides_.get(std::move(*sides), exchange, input.warm, work);
+    if (!lights) return std::nullopt;
+    clock.mark_reused(sides_.reused());
+    for (std::size_t s = 0; s < lights->size(); ++s) {
+        LightPart part = levels_[s];
+        part.light = (*lights)[s];
+        answer.bounces = std::max(answer.bounces, part.light->bounces);
+        answer.converged = answer.converged && part.light->converged;
+        answer.greatest_row_sum = std::max(answer.greatest_row_sum, part.light->greatest_row_sum);
+        answer.parts.push_back(std::move(part));
     }
     return answer;
 }
 
-Level::GatherRows Level::rows_to(int slot, const std::shared_ptr<const std::vector<Receiver>>& receivers,
-                                 const std::shared_ptr<const OccluderSet>& occluders, const Work& work,
-                                 StageClock& clock) {
-    HANEI_CHECK(geometry_ && mesh_.now());
-    const Mesh& mesh = **mesh_.now();
-    Gathering& gathering = gathering_[slot];
-    const GatherKey key{geometry_, receivers};
-    const DenseRows* factors = gathering.factors.get(key, [&] { return patch_factors(mesh, *receivers, work); });
-    clock.mark_reused(gathering.factors.reused());
-    if (!factors) return {};
-    const Visibility* visibility = gathering.visibility.get({geometry_, receivers}, mesh, *receivers, occluders, work);
-    clock.mark_reused(gathering.visibility.reused());
-    if (!visibility) return {};
-    return {factors, visibility};
+std::optional<GatheredLight> Level::gather(int slot, std::span<const LightPart> parts,
+                                           const std::shared_ptr<const std::vector<Receiver>>& receivers,
+                                           const LevelInput& input, const Work& work, StageClock& clock) {
+    RowsInput rows = rows_between_surfaces(input);
+    rows.kind = RowsInput::Kind::nodes;
+    rows.receivers_are = receivers;
+    rows.receivers = *receivers;
+    rows.storage = storage(*input.settings, receivers->size() * cut_.nodes->size());
+    const auto source_of = [this](const SideLight& light) {
+        return GatherStage::Source{node_values(light.exitance), node_values(light.exitance_half_width)};
+    };
+    auto gathered = gathering_[slot].get(rows, parts, source_of, work);
+    clock.mark_reused(gathering_[slot].reused());
+    return gathered;
 }
 
 }  // namespace hanei

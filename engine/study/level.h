@@ -3,29 +3,18 @@
 
 #include "engine/plan/plan.h"
 #include "engine/study/direct_stage.h"
+#include "engine/study/gather_stage.h"
+#include "engine/study/light_groups.h"
+#include "engine/study/light_mix.h"
+#include "engine/study/light_sides.h"
+#include "engine/study/rows_stage.h"
 #include "engine/study/stage_cache.h"
 #include "engine/study/stage_clock.h"
-#include "engine/study/visibility_stage.h"
-#include "engine/transport/balance.h"
-#include "engine/transport/factors.h"
+#include "engine/transport/nodes.h"
 
 #include <functional>
 
 namespace hanei {
-
-/// One resolution's answer, patch by patch. For the paper's method the unknowns are the vertices;
-/// a patch then has the mean of its corners.
-struct LevelAnswer {
-    std::vector<double> direct;                 ///< lx, mean over each patch
-    std::vector<double> interreflected;         ///< lx
-    std::vector<double> exitance;               ///< lm/m2
-    std::vector<double> exitance_half_width;    ///< lm/m2
-    std::vector<double> vertex_direct;          ///< lx; the paper's method only
-    std::vector<double> vertex_interreflected;  ///< lx; the paper's method only
-    int bounces = 0;
-    bool converged = true;
-    double greatest_row_sum = 0.0;
-};
 
 /// The request of one run.
 struct LevelInput {
@@ -35,79 +24,83 @@ struct LevelInput {
     double max_patch = 0.5;                              ///< m
     std::shared_ptr<const OccluderSet> occluders;        ///< of direct light; null: nothing casts shadows
     std::shared_ptr<const OccluderSet> patch_occluders;  ///< of light between surfaces; null: nothing stands between
+    Accuracy direct_accuracy;                            ///< of each luminaire's direct light
+    bool warm = false;  ///< start from the last solution: sooner there, and not the same bits as from nothing
 };
 
+/// One resolution's answer.
+struct LevelAnswer {
+    std::vector<LightPart> parts;      ///< of every group and band; values at the unknowns
+    std::vector<double> patch_direct;  ///< lx, mean over each patch
+    int bounces = 0;                   ///< the most of any part
+    bool converged = true;
+    double greatest_row_sum = 0.0;
+};
+
+/// Needs     cut() before anything else.
 class Level {
 public:
-    /// Mesh for the scene at this patch width.
-    std::shared_ptr<const Mesh> mesh(const Scene& scene, double max_patch);
+    struct Cut {
+        std::shared_ptr<const Mesh> mesh;
+        std::shared_ptr<const Nodes> nodes;  ///< that light is gathered from; of the paper's methods one a patch
+    };
+    /// Cuts the scene into patches of this width; the same objects while nothing that shapes them changes.
+    Cut cut(const Scene& scene, double max_patch, Method method);
 
-    /// `on_direct` sees the direct light before interreflection is computed.
+    /// `on_way` sees direct light with an ambient estimate of the rest before interreflection is computed.
     /// Returns   empty when stopped.
     std::optional<LevelAnswer> solve(const LevelInput& input, const Work& work, StageClock& clock,
-                                     const std::function<void(const LevelAnswer&)>& on_direct = nullptr);
+                                     const std::function<void(const LevelAnswer&)>& on_way = nullptr);
 
-    /// What other places need to gather interreflected light from this level's patches; kept as long
-    /// as the receivers, the mesh's shapes and the occluders are the same. `slot` numbers the set of
-    /// receivers (0: calculation points, 1: vertices).
-    /// Returns   null factors when stopped.
-    struct GatherRows {
-        const DenseRows* factors = nullptr;
-        const Visibility* visibility = nullptr;
-    };
-    GatherRows rows_to(int slot, const std::shared_ptr<const std::vector<Receiver>>& receivers,
-                       const std::shared_ptr<const OccluderSet>& occluders, const Work& work, StageClock& clock);
+    /// Light from this level's surfaces at other places, kept as long as it is the same. `slot` numbers
+    /// the set of receivers (0: calculation points, 1: vertices).
+    /// Returns   empty when stopped.
+    std::optional<GatheredLight> gather(int slot, std::span<const LightPart> parts,
+                                        const std::shared_ptr<const std::vector<Receiver>>& receivers,
+                                        const LevelInput& input, const Work& work, StageClock& clock);
+
+    /// What has these values at the unknowns: as means over patches, at the nodes that light is gathered
+    /// from, at the mesh's vertices. No values at all: all are 0.
+    std::vector<double> patch_values(std::span<const double> at_unknowns) const;
+    std::vector<double> node_values(std::span<const double> at_unknowns) const;
+    std::vector<double> vertex_values(std::span<const double> at_unknowns) const;
+
+    const Cut& now() const { return cut_; }
+    const StoredRows* rows() const { return rows_.now(); }  ///< between surfaces; null before the first
 
 private:
-    /// Stands for the shapes of the mesh: the same object as long as form factors stay valid.
-    using Geometry = std::shared_ptr<const Mesh>;
-    struct FactorKey {
-        Geometry geometry;
-        Method method = Method::patch;
-        bool operator==(const FactorKey&) const = default;
-    };
-    struct VisibilityKey {
-        FactorKey factors;
-        std::shared_ptr<const OccluderSet> occluders;
-        bool operator==(const VisibilityKey&) const = default;
-    };
-    struct GatherKey {
-        Geometry geometry;
-        std::shared_ptr<const std::vector<Receiver>> receivers;
-        bool operator==(const GatherKey&) const = default;
-    };
     struct MeshKey {
         Scene surfaces;  ///< with the opaque luminaires, which cover what they lie on
         double max_patch = 0.0;
+        Method method = Method::patch;
         bool operator==(const MeshKey&) const = default;
     };
-    struct BalanceKey {
-        VisibilityKey visibility;
-        std::vector<double> reflectance, direct, own_exitance;
-        int bounces = 0;
-        double accuracy = 0.0;
-        bool operator==(const BalanceKey&) const = default;
-    };
-    struct Gathering {
-        StageCache<GatherKey, DenseRows> factors;
-        VisibilityStage visibility;
-    };
 
-    std::optional<std::vector<double>> patch_direct(const LevelInput& input, const Work& work, StageClock& clock);
-    std::optional<std::vector<double>> vertex_direct(const LevelInput& input, const Work& work, StageClock& clock);
-    const Visibility* visibility(const LevelInput& input, const VisibilityKey& key, const Mesh& mesh, const Work& work,
-                                 StageClock& clock);
-    const Balance* solve_balance(const LevelInput& input, const std::vector<double>& direct, const Work& work,
-                                 StageClock& clock);
+    LightReceivers receivers_at_nodes(const LevelInput& input, const Work& work) const;
+    LightReceivers receivers_at_vertices(const LevelInput& input, const Work& work) const;
+    std::optional<std::vector<double>> means_of_patches(const Emitter& emitter, std::span<const std::uint32_t> which,
+                                                        const LevelInput& input, const Work& work) const;
+    std::optional<std::vector<double>> means_of_quarters(const Emitter& emitter, std::span<const std::uint32_t> which,
+                                                         const LevelInput& input, const Work& work) const;
+    std::vector<double> reflectances(const Scene& scene, int band) const;
+    std::vector<double> own_exitances() const;
+    std::vector<double> unknown_areas() const;
+    std::optional<std::vector<SideInput>> side_inputs(const LevelInput& input, const Work& work);
+    std::optional<std::vector<double>> patch_direct(const LevelInput& input, std::span<const SideInput> sides,
+                                                    const Work& work);
+    RowsInput rows_between_surfaces(const LevelInput& input) const;
+    LevelAnswer first_guess(std::span<const SideInput> sides, std::vector<double> patch_direct) const;
 
-    StageCache<MeshKey, std::shared_ptr<const Mesh>> mesh_;
-    Geometry geometry_;
-    DirectStage patch_direct_, vertex_direct_;
-    StageCache<FactorKey, DenseRows> factors_;
-    StageCache<VisibilityKey, Visibility> paper_visibility_;
-    VisibilityStage patch_visibility_;
-    StageCache<BalanceKey, Balance> balance_;
-    Gathering gathering_[2];
+    StageCache<MeshKey, Cut> cuts_;
+    Cut cut_;
+    std::shared_ptr<const Mesh> geometry_;  ///< stands for the shapes of the mesh: the same as long as they are
+    bool of_the_paper_ = false;
+    std::vector<Receiver> unknowns_;
+    std::vector<LightPart> levels_;  ///< one a side of the last solve, without light
+    DirectStage direct_, patch_direct_;
+    RowsStage rows_;
+    LightSides sides_;
+    GatherStage gathering_[2];
 };
 
 }  // namespace hanei

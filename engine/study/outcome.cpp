@@ -7,16 +7,22 @@
 
 namespace hanei {
 
-void take_answer(Solution& solution, const LevelAnswer& answer) {
-    solution.patch_direct = answer.direct;
-    solution.patch_interreflected = answer.interreflected;
-    solution.patch_exitance = answer.exitance;
-    solution.patch_exitance_half_width = answer.exitance_half_width;
+void take_answer(Solution& solution, const Level& level, const LevelAnswer& answer) {
+    solution.patch_direct = answer.patch_direct;
+    const auto of_nodes = [&](LightField field) { return level.node_values(mixed(answer.parts, field)); };
+    solution.patch_interreflected = level.patch_values(mixed(answer.parts, &SideLight::interreflected));
+    solution.nodes_a_patch = static_cast<int>(level.now().nodes->per_patch);
+    solution.exitance = of_nodes(&SideLight::exitance);
+    solution.exitance_half_width = of_nodes(&SideLight::exitance_half_width);
     solution.bounces = answer.bounces;
     solution.converged = answer.converged;
     solution.greatest_row_sum = answer.greatest_row_sum;
-    solution.face_means = face_means(*solution.mesh, answer, solution.plan.skipped_bound_lux());
-    solution.energy = energy_of(*solution.scene, *solution.mesh, answer);
+    const PatchLight light{solution.patch_direct, solution.patch_interreflected};
+    solution.face_means = face_means(*solution.mesh, light, solution.plan.skipped_bound_lux());
+    solution.energy = energy_of(*solution.scene, *solution.mesh, light);
+    solution.iteration_bound = 0.0;
+    for (const double half_width : solution.exitance_half_width)
+        solution.iteration_bound = std::max(solution.iteration_bound, half_width);
 }
 
 void take_times(Solution& solution, std::vector<StageTime> times) {

@@ -5,8 +5,8 @@
 
 namespace hanei {
 
-/// Patch values, means of faces and the flux balance.
-void take_answer(Solution& solution, const LevelAnswer& answer);
+/// What the level's patches have: values, means of faces and the flux balance.
+void take_answer(Solution& solution, const Level& level, const LevelAnswer& answer);
 
 /// Times of the stages, and of the effects that they computed.
 void take_times(Solution& solution, std::vector<StageTime> times);

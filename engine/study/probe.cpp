@@ -1,24 +1,37 @@
 #include "engine/study/study.h"
 #include "engine/study/value_stage.h"
-#include "engine/transport/balance.h"
+#include "engine/transport/factor_rows.h"
 #include "engine/transport/factors.h"
+#include "engine/transport/visible_shares.h"
 
-#include <array>
+#include <vector>
 
 namespace hanei {
 
 namespace {
 
-/// Interreflected light at one receiver from a mesh's exitances.
-void gathered_at(const Receiver& receiver, const Mesh& mesh, const OccluderSet* occluders,
-                 std::initializer_list<std::pair<std::span<const double>, double*>> wanted) {
-    const std::array<Receiver, 1> receivers{receiver};
-    const auto factors = patch_factors(mesh, receivers, Work{});
-    std::optional<Visibility> visibility;
-    if (occluders) visibility = patch_visibility(mesh, receivers, *occluders, Work{});
-    for (const auto& [exitance, into] : wanted)
-        *into = gather(*factors, visibility ? &*visibility : nullptr, exitance, Work{}).front();
-}
+/// Rows from the nodes of a mesh to one receiver.
+class OneRow {
+public:
+    OneRow(const Receiver& receiver, const Mesh& mesh, int nodes_a_patch, const OccluderSet* occluders)
+        : nodes_(nodes_of(mesh, nodes_a_patch == 1 ? Elements::constant : Elements::linear)),
+          factors_(nodes_.size(), 0.0F),
+          shares_(mesh.patches.size(), 1.0F) {
+        const std::span receivers(&receiver, 1);
+        FactorRows(mesh, nodes_).write(receivers, factors_.data());
+        if (occluders) VisibleShares(mesh, *occluders).write(receivers, shares_.data());
+    }
+    double gathered(const std::vector<double>& exitance) const {
+        double sum = 0.0;
+        for (std::size_t j = 0; j < factors_.size(); ++j)
+            sum += exitance[j] * static_cast<double>(factors_[j]) * static_cast<double>(shares_[j / nodes_.per_patch]);
+        return sum;
+    }
+
+private:
+    Nodes nodes_;
+    std::vector<float> factors_, shares_;
+};
 
 }  // namespace
 
@@ -37,12 +50,14 @@ PointValue value_at(const Solution& solution, const Vec3& position, const Vec3& 
         parts.sampling += weighted.share * direct.error;
     }
     const OccluderSet* occluders = patch_shadows ? solution.occluders.get() : nullptr;
-    if (!solution.patch_exitance.empty() && solution.plan.simulates(Effect::interreflection)) {
-        gathered_at(
-            receiver, *solution.mesh, occluders,
-            {{solution.patch_exitance, &parts.interreflected}, {solution.patch_exitance_half_width, &parts.iteration}});
-        if (solution.coarse_mesh && !solution.coarse_exitance.empty())
-            gathered_at(receiver, *solution.coarse_mesh, occluders, {{solution.coarse_exitance, &parts.coarse}});
+    if (!solution.exitance.empty() && solution.plan.simulates(Effect::interreflection)) {
+        const OneRow row(receiver, *solution.mesh, solution.nodes_a_patch, occluders);
+        parts.interreflected = row.gathered(solution.exitance);
+        parts.iteration = row.gathered(solution.exitance_half_width);
+        if (solution.coarse_mesh && !solution.coarse_exitance.empty()) {
+            const OneRow coarse(receiver, *solution.coarse_mesh, solution.nodes_a_patch, occluders);
+            parts.coarse = coarse.gathered(solution.coarse_exitance);
+        }
     }
     parts.typical_mesh_error = solution.typical_mesh_error;
     parts.skipped = solution.plan.skipped_bound_lux();

@@ -1,6 +1,8 @@
 #include "engine/study/study.h"
 
 #include "engine/base/tiles.h"
+#include "engine/geometry/polygon.h"
+#include "engine/scene/faces.h"
 #include "engine/study/display_stage.h"
 #include "engine/study/level.h"
 #include "engine/study/outcome.h"
@@ -39,6 +41,35 @@ std::vector<Receiver> vertex_receivers(const Mesh& mesh) {
     return receivers;
 }
 
+/// Values, then as many errors: each value beside its error.
+std::vector<double> side_by_side(const std::vector<double>& estimates) {
+    const std::size_t count = estimates.size() / 2;
+    std::vector<double> pairs;
+    pairs.reserve(estimates.size());
+    for (std::size_t k = 0; k < count; ++k) pairs.insert(pairs.end(), {estimates[k], estimates[count + k]});
+    return pairs;
+}
+
+double root_mean_square_difference(const std::vector<double>& a, const std::vector<double>& b) {
+    double squares = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) squares += (a[k] - b[k]) * (a[k] - b[k]);
+    return a.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(a.size()));
+}
+
+/// Patches of one value leave steps between them: light at their corners is gathered anew. The other
+/// methods know it there.
+bool gathers_at_vertices(Method method) { return method == Method::patch; }
+
+/// What direct light must be exact to: the accuracy asked for, of the value or of a tenth of the mean
+/// illuminance in the room, whichever is more.
+Accuracy direct_accuracy(const Scene& scene, const Settings& settings) {
+    double area = 0.0, flux = 0.0;
+    for (const Face& face : faces_of(scene)) area += glm::length(vector_area(face.region));
+    for (const Luminaire& luminaire : scene.luminaires) flux += Emitter(scene, luminaire).flux().value;
+    const double dim = area > 0.0 ? 0.1 * flux / area : 0.0;
+    return accuracy_of_each(settings.accuracy, dim, scene.luminaires.size());
+}
+
 std::vector<double> nothing(std::size_t count) { return std::vector<double>(count, 0.0); }
 
 /// What the display's cells and their direct light are made from.
@@ -69,6 +100,7 @@ struct Study::Stages {
         Work work;
         StageClock clock;
         std::shared_ptr<Solution> solution;
+        Accuracy direct_accuracy;
         LevelInput fine_input() const;
     };
 
@@ -86,12 +118,16 @@ LevelInput Study::Stages::Run::fine_input() const {
     const auto if_simulated = [&](Effect effect) {
         return solution->plan.simulates(effect) ? solution->occluders : nullptr;
     };
-    return {scene.get(),
-            &settings,
-            &solution->plan,
-            settings.max_patch,
-            if_simulated(Effect::occlusion_direct),
-            if_simulated(Effect::occlusion_patches)};
+    LevelInput input;
+    input.scene = scene.get();
+    input.settings = &settings;
+    input.plan = &solution->plan;
+    input.max_patch = settings.max_patch;
+    input.occluders = if_simulated(Effect::occlusion_direct);
+    input.patch_occluders = if_simulated(Effect::occlusion_patches);
+    input.direct_accuracy = direct_accuracy;
+    input.warm = request.live;
+    return input;
 }
 
 void Study::Stages::prepare(Run& run) {
@@ -100,11 +136,12 @@ void Study::Stages::prepare(Run& run) {
     run.solution->scene = run.scene;
     run.solution->settings = run.settings;
     run.solution->plan = plan_effects(*run.scene, run.settings);
+    run.direct_accuracy = direct_accuracy(*run.scene, run.settings);
 
     run.clock.enter(Stage::meshing);
     refresh(occluders, occluders_of(*run.scene), same_bodies);
     run.solution->occluders = occluders;
-    run.solution->mesh = fine.mesh(*run.scene, run.settings.max_patch);
+    run.solution->mesh = fine.cut(*run.scene, run.settings.max_patch, run.settings.method).mesh;
     CalculationPlaces places = places_of(*run.scene);
     refresh(points, receivers_at(places, *run.solution->mesh), std::equal_to{});
     refresh(vertices, vertex_receivers(*run.solution->mesh), std::equal_to{});
@@ -119,11 +156,24 @@ bool Study::Stages::shadows(Run& run) {
     return solution.shadows != nullptr;
 }
 
+/// Values and their errors, side by side.
 std::optional<std::vector<double>> Study::Stages::direct_at_points(Run& run) {
     const LevelInput input = run.fine_input();
-    auto direct = point_direct.sum(
-        *run.scene, 2 * points->size(), points, input.occluders,
-        [&](const Emitter& emitter) { return direct_estimates(emitter, *points, input.occluders.get(), run.work); });
+    LightReceivers receivers;
+    receivers.identity = points;
+    receivers.count = points->size();
+    receivers.figures = 2;
+    receivers.accuracy = input.direct_accuracy;
+    receivers.places = [&](std::size_t k) { return std::span(&(*points)[k].position, 1); };
+    receivers.compute = [&](const Emitter& emitter, std::span<const std::uint32_t> which) {
+        std::vector<Receiver> some;
+        some.reserve(which.size());
+        for (const std::uint32_t k : which) some.push_back((*points)[k]);
+        auto estimates = direct_estimates(emitter, some, input.occluders.get(), input.direct_accuracy, run.work);
+        if (estimates) *estimates = side_by_side(*estimates);
+        return estimates;
+    };
+    auto direct = point_direct.sum(*run.scene, receivers, input.occluders);
     run.clock.mark_reused(point_direct.reused());
     return direct;
 }
@@ -131,34 +181,27 @@ std::optional<std::vector<double>> Study::Stages::direct_at_points(Run& run) {
 bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswer* rough) {
     run.clock.enter(Stage::gathering);
     Solution& solution = *run.solution;
-    const auto between = run.fine_input().patch_occluders;
     const auto direct = direct_at_points(run);
     if (!direct) return false;
-    std::vector<double> interreflected = nothing(points->size()), iteration = interreflected;
+    GatheredLight gathered{nothing(points->size()), nothing(points->size()), {}};
     std::vector<double> coarse_values(points->size(), -1.0);
-    if (solution.plan.simulates(Effect::interreflection)) {
-        const auto rows = fine.rows_to(points_slot, points, between, run.work, run.clock);
-        if (!rows.factors) return false;
-        interreflected = gather(*rows.factors, rows.visibility, answer.exitance, run.work);
-        iteration = gather(*rows.factors, rows.visibility, answer.exitance_half_width, run.work);
+    if (!answer.parts.empty()) {
+        auto fine_light = fine.gather(points_slot, answer.parts, points, run.fine_input(), run.work, run.clock);
+        if (!fine_light) return false;
+        gathered = std::move(*fine_light);
         if (rough) {
-            const auto coarse_rows = coarse.rows_to(points_slot, points, between, run.work, run.clock);
-            if (!coarse_rows.factors) return false;
-            coarse_values = gather(*coarse_rows.factors, coarse_rows.visibility, rough->exitance, run.work);
-            double squares = 0.0;
-            for (std::size_t k = 0; k < points->size(); ++k)
-                squares += std::pow(coarse_values[k] - interreflected[k], 2);
-            solution.typical_mesh_error =
-                points->empty() ? 0.0 : std::sqrt(squares / static_cast<double>(points->size()));
+            auto coarse_light = coarse.gather(points_slot, rough->parts, points, run.fine_input(), run.work, run.clock);
+            if (!coarse_light) return false;
+            coarse_values = std::move(coarse_light->interreflected);
+            solution.typical_mesh_error = root_mean_square_difference(coarse_values, gathered.interreflected);
         }
     }
     CalculationPlaces places{std::move(solution.points), std::move(solution.grids)};
-    const std::span<const double> sampling = std::span(*direct).subspan(points->size());  // after the values
     std::size_t k = 0;
     const double skipped = solution.plan.skipped_bound_lux();
     places.for_each([&](PointResult& point) {
-        point.value = value_from({(*direct)[k], interreflected[k], iteration[k], coarse_values[k],
-                                  solution.typical_mesh_error, skipped, sampling[k]});
+        point.value = value_from({(*direct)[2 * k], gathered.interreflected[k], gathered.iteration[k], coarse_values[k],
+                                  solution.typical_mesh_error, skipped, (*direct)[2 * k + 1]});
         if (is_covered(*solution.occluders, point.position, point.normal)) {
             point.value = PointValue{};
             point.value.inside_solid = true;
@@ -173,31 +216,34 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
 std::optional<LevelAnswer> Study::Stages::solve_coarse(Run& run) {
     LevelInput input = run.fine_input();
     input.max_patch = coarse_ratio * run.settings.max_patch;
-    run.solution->coarse_mesh = coarse.mesh(*run.scene, input.max_patch);
     auto answer = coarse.solve(input, run.work, run.clock);
-    if (answer) run.solution->coarse_exitance = answer->exitance;
+    if (!answer) return std::nullopt;
+    run.solution->coarse_mesh = coarse.now().mesh;
+    run.solution->coarse_exitance = coarse.node_values(mixed(answer->parts, &SideLight::exitance));
     return answer;
 }
 
 std::optional<std::vector<double>> Study::Stages::open_interreflected(Run& run) {
     LevelInput input = run.fine_input();
     input.occluders = input.patch_occluders = nullptr;
-    open_fine.mesh(*run.scene, input.max_patch);
     const auto answer = open_fine.solve(input, run.work, run.clock);
     if (!answer) return std::nullopt;
-    if (!run.solution->plan.simulates(Effect::interreflection)) return nothing(vertices->size());
-    const auto rows = open_fine.rows_to(vertices_slot, vertices, nullptr, run.work, run.clock);
-    if (!rows.factors) return std::nullopt;
-    return gather(*rows.factors, rows.visibility, answer->exitance, run.work);
+    if (answer->parts.empty()) return nothing(vertices->size());
+    if (!gathers_at_vertices(run.settings.method))
+        return open_fine.vertex_values(mixed(answer->parts, &SideLight::interreflected));
+    auto light = open_fine.gather(vertices_slot, answer->parts, vertices, input, run.work, run.clock);
+    if (!light) return std::nullopt;
+    return std::move(light->interreflected);
 }
 
 std::optional<std::vector<double>> Study::Stages::vertex_interreflected(Run& run, const LevelAnswer& answer) {
-    if (!answer.vertex_interreflected.empty()) return answer.vertex_interreflected;
-    if (!run.solution->plan.simulates(Effect::interreflection)) return nothing(vertices->size());
+    if (answer.parts.empty()) return nothing(vertices->size());
+    if (!gathers_at_vertices(run.settings.method))
+        return fine.vertex_values(mixed(answer.parts, &SideLight::interreflected));
     run.clock.enter(Stage::gathering);
-    const auto rows = fine.rows_to(vertices_slot, vertices, run.fine_input().patch_occluders, run.work, run.clock);
-    if (!rows.factors) return std::nullopt;
-    return gather(*rows.factors, rows.visibility, answer.exitance, run.work);
+    auto light = fine.gather(vertices_slot, answer.parts, vertices, run.fine_input(), run.work, run.clock);
+    if (!light) return std::nullopt;
+    return std::move(light->interreflected);
 }
 
 bool Study::Stages::display(Run& run, const std::vector<double>& interreflected, const std::vector<double>& open) {
@@ -229,25 +275,26 @@ Study::~Study() = default;
 
 SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const StudyRequest& request,
                             const Work& work, const std::function<void(SolutionSnapshot)>& publish) {
-    Stages::Run run{std::move(scene), settings, request, work, StageClock(work.progress), nullptr};
+    Stages::Run run{std::move(scene), settings, request, work, StageClock(work.progress), nullptr, {}};
     run.work.threads = settings.threads > 0 ? settings.threads : hardware_threads();
     stages_->prepare(run);
     if (request.shadows && !stages_->shadows(run)) return nullptr;
 
-    const auto on_direct = [&](const LevelAnswer& answer) {
+    const auto on_way = [&](const LevelAnswer& estimate) {
         if (!publish) return;
-        take_answer(*run.solution, answer);
-        if (request.display && !stages_->display(run, nothing(stages_->vertices->size()), {})) return;
+        take_answer(*run.solution, stages_->fine, estimate);
+        const auto at_vertices = stages_->fine.vertex_values(mixed(estimate.parts, &SideLight::interreflected));
+        if (request.display && !stages_->display(run, at_vertices, {})) return;
         publish(std::make_shared<const Solution>(*run.solution));
     };
-    const auto answer = stages_->fine.solve(run.fine_input(), run.work, run.clock, on_direct);
+    const auto answer = stages_->fine.solve(run.fine_input(), run.work, run.clock, on_way);
     if (!answer) return nullptr;
     std::optional<LevelAnswer> rough;
     if (request.mesh_error && run.solution->plan.simulates(Effect::interreflection)) {
         rough = stages_->solve_coarse(run);
         if (!rough) return nullptr;
     }
-    take_answer(*run.solution, *answer);
+    take_answer(*run.solution, stages_->fine, *answer);
     if (!stages_->values(run, *answer, rough ? &*rough : nullptr)) return nullptr;
     if (request.display) {
         const auto interreflected = stages_->vertex_interreflected(run, *answer);
@@ -261,8 +308,6 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
         if (!stages_->display(run, *interreflected, open)) return nullptr;
     }
 
-    for (const double half_width : answer->exitance_half_width)
-        run.solution->iteration_bound = std::max(run.solution->iteration_bound, half_width);
     note_divergence(*run.solution);
     run.solution->complete = true;
     run.clock.enter(Stage::done);

@@ -15,6 +15,7 @@ struct StudyRequest {
     bool display = false;     ///< the display mesh for pictures
     bool unshadowed = false;  ///< and its part without shadows (the paper's Fig. 4e)
     bool shadows = false;     ///< classes of patches and outlines of shadows
+    bool live = false;        ///< the scene is being dragged: from the last solution on, sooner
     bool mesh_error = true;   ///< the mesh part of the error bars (a second, coarser solution)
     bool operator==(const StudyRequest&) const = default;
 };

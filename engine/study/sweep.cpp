@@ -59,7 +59,7 @@ std::vector<SweepPoint> accuracy_sweep(SceneSnapshot scene, const Settings& sett
     const std::vector<double> expected = values_of(*reference.solution);
 
     std::vector<SweepPoint> points;
-    for (const Method method : {Method::paper, Method::patch}) {
+    for (const Method method : methods) {
         for (const double width : widths) {
             Settings run = settings;
             run.method = method;
@@ -70,7 +70,7 @@ std::vector<SweepPoint> accuracy_sweep(SceneSnapshot scene, const Settings& sett
             point.method = method;
             point.max_patch = run.max_patch;
             const Mesh& mesh = *timed.solution->mesh;
-            point.unknowns = method == Method::paper ? mesh.vertices.size() : mesh.patches.size();
+            point.unknowns = is_of_the_paper(method) ? mesh.vertices.size() : timed.solution->exitance.size();
             point.milliseconds = timed.milliseconds;
             set_errors(point, values_of(*timed.solution), expected);
             points.push_back(point);

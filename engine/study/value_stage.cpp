@@ -51,15 +51,15 @@ PointValue value_from(const ValueParts& parts) {
     return value;
 }
 
-std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const LevelAnswer& answer, double skipped_lux) {
+std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const PatchLight& light, double skipped_lux) {
     std::map<SurfaceRef, PointValue> means;
     for (const MeshFace& face : mesh.faces) {
         double area = 0.0, direct = 0.0, interreflected = 0.0;
         for (std::size_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
             const double patch_area = mesh.patches[p].area;
             area += patch_area;
-            direct += patch_area * answer.direct[p];
-            interreflected += patch_area * answer.interreflected[p];
+            direct += patch_area * light.direct[p];
+            interreflected += patch_area * light.interreflected[p];
         }
         if (area <= 0.0) continue;
         PointValue& mean = means[face.face.ref];
@@ -70,7 +70,7 @@ std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const LevelAnswer&
     return means;
 }
 
-EnergyBalance energy_of(const Scene& scene, const Mesh& mesh, const LevelAnswer& answer) {
+EnergyBalance energy_of(const Scene& scene, const Mesh& mesh, const PatchLight& light) {
     EnergyBalance energy;
     for (const WeightedEmitter& weighted : emitters_of(scene))
         energy.emitted += weighted.share * weighted.emitter.flux().value;
@@ -78,7 +78,7 @@ EnergyBalance energy_of(const Scene& scene, const Mesh& mesh, const LevelAnswer&
     for (std::size_t p = 0; p < mesh.patches.size(); ++p) {
         const Patch& patch = mesh.patches[p];
         energy.emitted += patch.area * patch.own_exitance.value;
-        energy.absorbed += patch.area * (1.0 - reflectance.all()[p]) * (answer.direct[p] + answer.interreflected[p]);
+        energy.absorbed += patch.area * (1.0 - reflectance.all()[p]) * (light.direct[p] + light.interreflected[p]);
     }
     energy.escaped = energy.emitted - energy.absorbed;
     return energy;

@@ -3,7 +3,6 @@
 
 #include "engine/solution/solution.h"
 #include "engine/study/display_stage.h"
-#include "engine/study/level.h"
 
 namespace hanei {
 
@@ -44,10 +43,15 @@ struct ValueParts {
 /// all points, so that two curves that happen to cross do not claim to be exact.
 PointValue value_from(const ValueParts& parts);
 
+/// Means over patches of what arrives, lx.
+struct PatchLight {
+    std::vector<double> direct, interreflected;
+};
+
 /// Area means of every face of the mesh.
-std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const LevelAnswer& answer, double skipped_lux);
+std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const PatchLight& light, double skipped_lux);
 
 /// Emitted, absorbed and escaped flux of a solution.
-EnergyBalance energy_of(const Scene& scene, const Mesh& mesh, const LevelAnswer& answer);
+EnergyBalance energy_of(const Scene& scene, const Mesh& mesh, const PatchLight& light);
 
 }  // namespace hanei

@@ -1,7 +1,8 @@
 #include "ui/panels/properties.h"
 
-#include <array>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace hanei {
 namespace {
@@ -40,13 +41,16 @@ bool option_row(const Option<T>& option, Settings& settings, Form& form) {
 
 std::optional<Settings> settings_panel(const Settings& settings, Form& form) {
     Settings wished = settings;
-    const std::array<std::string, 2> methods{std::string(name_of(Method::paper)), std::string(name_of(Method::patch))};
-    int method = static_cast<int>(wished.method);
+    std::vector<std::string> names;
+    for (const Method method : methods) names.emplace_back(name_of(method));
+    int chosen = static_cast<int>(wished.method);
     bool changed =
         form.choice("settings.method", "Method",
-                    "patch: analytic form factors past all shadows. paper: the method of Nishita and Nakamae, 1985",
-                    methods, method);
-    wished.method = static_cast<Method>(method);
+                    "patch: one value a patch, the fastest to follow the mouse. linear: values that slope across a\n"
+                    "patch, for final figures. paper: the method of Nishita and Nakamae, 1985. paper-closed: the\n"
+                    "same, made to lose and gain no light",
+                    names, chosen);
+    wished.method = methods[static_cast<std::size_t>(chosen)];
     std::apply([&](const auto&... option) { ((changed |= option_row(option, wished, form)), ...); }, options);
     if (!changed) return std::nullopt;
     return wished;

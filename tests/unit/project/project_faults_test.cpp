@@ -137,7 +137,8 @@ TEST(ProjectFaults, a_file_that_nests_without_end_is_refused) {
 TEST(ProjectFaults, settings_out_of_range_are_told_with_what_is_allowed) {
     EXPECT_EQ(findings_of(project_of("\"settings\": {\"method\": \"guess\",\n\"max_patch\": 0, \"bounces\": 2.5,\n"
                                      "\"accuracy_percent\": 99}")),
-              "room.hanei:2: settings.method: found \"guess\", expected one of \"paper\", \"patch\"\n"
+              "room.hanei:2: settings.method: found \"guess\", expected one of \"paper\", \"paper-closed\", \"patch\", "
+              "\"linear\"\n"
               "room.hanei:3: settings.max_patch: found 0, allowed are 0.01 to 50 m\n"
               "room.hanei:3: settings.bounces: found 2.5, expected a whole number\n"
               "room.hanei:4: settings.accuracy_percent: found 99, allowed are 1e-07 to 50 percent\n");

@@ -25,7 +25,7 @@ std::vector<double> values_of(const Solution& solution) {
         values.push_back(point.value.interreflected.value);
         values.push_back(point.value.error.total());
     }
-    values.insert(values.end(), solution.patch_exitance.begin(), solution.patch_exitance.end());
+    values.insert(values.end(), solution.exitance.begin(), solution.exitance.end());
     return values;
 }
 
@@ -68,18 +68,18 @@ TEST_F(Invalidation, a_moved_calculation_point_leaves_the_balance_alone) {
     EXPECT_FALSE(reused(Stage::gathering));
 }
 
-TEST_F(Invalidation, dimming_computes_no_direct_light_anew) {
+TEST_F(Invalidation, dimming_computes_nothing_anew) {
     run([](Scene& scene) { scene.luminaires.front().dimming = 0.4; });
     EXPECT_TRUE(reused(Stage::direct));
     EXPECT_TRUE(reused(Stage::factors));
-    EXPECT_FALSE(reused(Stage::balance));
+    EXPECT_TRUE(reused(Stage::balance)) << "a dimmed group is mixed, not solved";
 }
 
-TEST_F(Invalidation, the_maintenance_factor_computes_no_direct_light_anew) {
+TEST_F(Invalidation, the_maintenance_factor_computes_nothing_anew) {
     run([](Scene& scene) { scene.maintenance_factor = 0.8; });
     EXPECT_TRUE(reused(Stage::direct));
     EXPECT_TRUE(reused(Stage::factors));
-    EXPECT_FALSE(reused(Stage::balance));
+    EXPECT_TRUE(reused(Stage::balance)) << "a dimmed group is mixed, not solved";
 }
 
 TEST_F(Invalidation, a_change_of_reflectance_redoes_the_balance_only) {
@@ -150,12 +150,12 @@ TEST_F(Invalidation, another_room_shape_redoes_everything) {
 }
 
 TEST(Study, the_same_bits_on_one_thread_on_two_and_on_seven) {
-    for (const Method method : {Method::patch, Method::paper}) {
+    for (const Method method : methods) {
         std::vector<std::vector<double>> results;
         for (const int threads : {1, 2, 7}) {
             Settings settings = coarse_settings();
             settings.method = method;
-            settings.bounces = method == Method::paper ? 4 : 1000;
+            settings.bounces = is_of_the_paper(method) ? 4 : 1000;
             settings.threads = threads;
             results.push_back(
                 values_of(*Study().run(snapshot(test::small_office()), settings, StudyRequest{}, Work{})));

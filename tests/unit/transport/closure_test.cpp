@@ -1,5 +1,8 @@
 #include "engine/transport/closure.h"
 
+#include "engine/transport/factor_rows.h"
+#include "engine/transport/paper_rows.h"
+#include "engine/transport/visible_shares.h"
 #include "tests/unit/mesh/sample_scenes.h"
 
 #include <cmath>
@@ -8,39 +11,43 @@
 namespace hanei {
 namespace {
 
+/// The paper's rows of a scene, and what each grid point sees of the patches.
 struct PaperRoom {
-    std::shared_ptr<const Mesh> mesh;
-    std::vector<Receiver> receivers;
-    DenseRows factors;
-    Visibility visibility;
-    std::vector<double> sums;
+    std::size_t count = 0;
+    std::vector<float> factors, shares;
+    std::vector<double> seen;
 
-    explicit PaperRoom(const Scene& scene) : mesh(make_mesh(scene, 0.6)) {
+    explicit PaperRoom(const Scene& scene) {
+        const auto mesh = make_mesh(scene, 0.6);
         const OccluderSet occluders = occluders_of(scene);
-        for (const Vertex& vertex : mesh->vertices) receivers.push_back(vertex.receiver);
-        factors = *paper_factors(*mesh, {2});
-        visibility = *paper_visibility(*mesh, occluders, {2});
-        sums = *seen_sums(*mesh, receivers, occluders, {2});
-    }
-    double sum(std::size_t k) const {
-        double total = 0.0;
-        for (std::size_t j = 0; j < factors.columns; ++j) {
-            const double share = visibility.all_visible ? 1.0 : static_cast<double>(visibility.share.row(k)[j]);
-            total += static_cast<double>(factors.row(k)[j]) * share;
+        const Nodes nodes = nodes_of(*mesh, Elements::constant);
+        count = mesh->vertices.size();
+        factors.resize(count * count);
+        shares.assign(count * count, 1.0F);
+        PaperRows(*mesh, &occluders).write(0, count, factors.data(), shares.data());
+        FactorRows patches(*mesh, nodes);
+        VisibleShares visible(*mesh, occluders);
+        for (const Vertex& vertex : mesh->vertices) {
+            std::vector<float> of_patches(nodes.size()), parts(nodes.size(), 1.0F);
+            patches.write({&vertex.receiver, 1}, of_patches.data());
+            visible.write({&vertex.receiver, 1}, parts.data());
+            seen.push_back(visible_sum(of_patches, parts));
         }
-        return total;
     }
+    std::span<float> row(std::size_t k) { return {factors.data() + k * count, count}; }
+    std::span<const float> shares_of(std::size_t k) const { return {shares.data() + k * count, count}; }
 };
 
 TEST(Closure, rows_of_the_paper_sum_to_1_in_a_closed_room_after_and_not_before) {
     PaperRoom room(sample::computer_room());
     double worst = 0.0;
-    for (std::size_t k = 0; k < room.receivers.size(); ++k) worst = std::max(worst, std::abs(room.sum(k) - 1.0));
+    for (std::size_t k = 0; k < room.count; ++k)
+        worst = std::max(worst, std::abs(visible_sum(room.row(k), room.shares_of(k)) - 1.0));
     EXPECT_GT(worst, 0.5);
-    close_rows(room.factors, room.visibility, room.sums);
-    for (std::size_t k = 0; k < room.receivers.size(); ++k) {
-        EXPECT_NEAR(room.sums[k], 1.0, 1e-6);
-        EXPECT_NEAR(room.sum(k), room.sums[k], 1e-5);  // floats, a thousand of them
+    for (std::size_t k = 0; k < room.count; ++k) {
+        EXPECT_NEAR(room.seen[k], 1.0, 1e-5);
+        close_row(room.row(k), room.shares_of(k), room.seen[k]);
+        EXPECT_NEAR(visible_sum(room.row(k), room.shares_of(k)), room.seen[k], 1e-5);  // floats, a thousand of them
     }
 }
 
@@ -49,26 +56,22 @@ TEST(Closure, a_room_without_a_ceiling_keeps_what_escapes) {
     sample::add_surface(scene, {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}});
     sample::add_surface(scene, {{0, 0, 0}, {0, 0, 2}, {4, 0, 2}, {4, 0, 0}});
     PaperRoom room(scene);
-    close_rows(room.factors, room.visibility, room.sums);
-    for (std::size_t k = 0; k < room.receivers.size(); ++k) {
-        EXPECT_LT(room.sums[k], 0.51);
-        const double expected = room.sum(k) > 0.0 ? room.sums[k] : 0.0;
-        EXPECT_NEAR(room.sum(k), expected, 1e-5);
+    for (std::size_t k = 0; k < room.count; ++k) {
+        close_row(room.row(k), room.shares_of(k), room.seen[k]);
+        EXPECT_LT(room.seen[k], 0.51);
+        const double sum = visible_sum(room.row(k), room.shares_of(k));
+        EXPECT_NEAR(sum, sum > 0.0 ? room.seen[k] : 0.0, 1e-5);
     }
 }
 
 TEST(Closure, a_row_that_sees_no_grid_point_stays_empty) {
-    DenseRows factors{2, 2, {0.0F, 0.0F, 1.0F, 3.0F}};
-    close_rows(factors, Visibility{}, std::vector<double>{1.0, 1.0});
-    EXPECT_EQ(factors.values, (std::vector<float>{0.0F, 0.0F, 0.25F, 0.75F}));
-}
-
-TEST(Closure, a_stopped_computation_returns_nothing) {
-    std::stop_source stop;
-    stop.request_stop();
-    const auto mesh = make_mesh(sample::box_room(4.0, 3.0, 2.5), 1.0);
-    const std::vector<Receiver> one = {mesh->vertices[0].receiver};
-    EXPECT_FALSE(seen_sums(*mesh, one, OccluderSet{}, Work{1, stop.get_token(), nullptr}));
+    std::vector<float> row{0.0F, 0.0F};
+    const std::vector<float> shares{1.0F, 1.0F};
+    close_row(row, shares, 1.0);
+    EXPECT_EQ(row, (std::vector<float>{0.0F, 0.0F}));
+    std::vector<float> hidden{1.0F, 3.0F};
+    close_row(hidden, std::vector<float>{0.0F, 0.0F}, 0.0);
+    EXPECT_EQ(hidden, (std::vector<float>{1.0F, 3.0F}));
 }
 
 }  // namespace
