@@ -59,10 +59,11 @@ public:
     /// places, nothing in between: the light of the piece is the mean of this over its places.
     ///
     /// Needs     shines_from_places(): false for solids that look different from every side.
-    /// Returns   of a uniform face the exact mean over the part.
+    /// Returns   of a uniform face the exact mean over the part: its nodes are not asked for.
     PlaceLight from_place(std::size_t piece, const Vec3& place, const FlatCell& part, const Vec3& normal) const;
     bool shines_from_places() const;
-    bool is_exact() const;  ///< at points: estimates have no error
+    bool is_exact() const;    ///< at points: estimates have no error
+    bool is_uniform() const;  ///< every piece is a uniform face
 
     LuminousFlux flux() const;  ///< at full output
     ObjectId luminaire() const;

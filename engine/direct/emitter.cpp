@@ -191,6 +191,8 @@ bool Emitter::shines_from_places() const {
 
 bool Emitter::is_exact() const { return !std::holds_alternative<MeasuredSource>(parts_->source); }
 
+bool Emitter::is_uniform() const { return std::holds_alternative<DiffuseSource>(parts_->source); }
+
 LuminousFlux Emitter::flux() const { return parts_->flux; }
 ObjectId Emitter::luminaire() const { return parts_->luminaire; }
 std::span<const Vec3> Emitter::extent() const { return parts_->extent; }

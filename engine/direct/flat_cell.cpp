@@ -84,6 +84,13 @@ FlatCell::FlatCell(Polygon outline) : corners(std::move(outline)) {
     count = 4;
 }
 
+FlatCell FlatCell::without_nodes(Polygon outline) {
+    FlatCell cell;
+    cell.size = glm::length(vector_area(outline));
+    cell.corners = std::move(outline);
+    return cell;
+}
+
 std::vector<FlatCell> FlatCell::halves() const {
     std::vector<FlatCell> parts;
     if (corners.size() < 2 || count == 0) return parts;

@@ -19,6 +19,9 @@ struct FlatCell {
     /// Needs     a convex polygon's corners in order, two ends, or one point.
     explicit FlatCell(Polygon corners);
 
+    /// A polygon of which only the size is asked.
+    static FlatCell without_nodes(Polygon corners);
+
     std::span<const Vec3> nodes() const { return {places.data(), count}; }
 
     /// Two parts, cut through the centre across the longest axis; none for a point.
@@ -30,6 +33,9 @@ struct FlatCell {
     Vec3 along{0.0}, across{0.0};
     std::array<Vec3, 4> places;
     std::size_t count = 0;  ///< of nodes; 0 without area
+
+private:
+    FlatCell() = default;
 };
 
 }  // namespace hanei

@@ -25,8 +25,9 @@ constexpr double of_rims = 0.12;     // of what only the opening's corners see, 
 
 constexpr double of_near = 0.1;  // of the light itself, where a cell is as wide as it is far
 
-/// Of the light itself: peaks between the nodes of cells nearer to the light than they are wide.
-double share_of_near(const FlatCell& patch, const FlatCell* opening, std::span<const Vec3> source) {
+/// Of the light itself: peaks between the nodes of cells nearer to the light than they are wide. Without
+/// `on_patch` the nodes are the opening's alone.
+double share_of_near(const FlatCell& patch, bool on_patch, const FlatCell* opening, std::span<const Vec3> source) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < source.size(); ++k) {
         const Vec3 from = source[k] - patch.centre, along = source[(k + 1) % source.size()] - source[k];
@@ -35,7 +36,7 @@ double share_of_near(const FlatCell& patch, const FlatCell* opening, std::span<c
         const Vec3 place = from + at * along;
         nearest = std::min(nearest, glm::dot(place, place));
     }
-    double size = glm::dot(patch.along, patch.along);
+    double size = on_patch ? glm::dot(patch.along, patch.along) : 0.0;
     if (opening) {
         const Vec3 away = opening->centre - patch.centre;
         nearest = std::min(nearest, glm::dot(away, away));
@@ -77,7 +78,8 @@ Seen seen_from(const Vec3& place, const ShadowedCell& cell, const PatchLight& li
     }
     Seen seen;
     for (Polygon& part : visible_part(cell.patch.corners, place, *light.occluders, between)) {
-        const FlatCell visible(std::move(part));
+        const FlatCell visible =
+            light.emitter.is_uniform() ? FlatCell::without_nodes(std::move(part)) : FlatCell(std::move(part));
         const double share = visible.size / cell.patch.size;
         const PlaceLight here = light.emitter.from_place(cell.piece, place, visible, light.normal);
         seen.share += share;
@@ -125,7 +127,7 @@ void ReceivingCell::measure(const PatchLight& light) {
     const double middle = mean.value / static_cast<double>(patch.count);
     mean = {share * mean.value, share * mean.error};
     const double smooth = light.bodies.empty() ? error_of_smooth(spread.value(), middle) : of_shadow * spread.value();
-    mean.error += weight * (smooth + share_of_near(patch, nullptr, light.emitter.extent()) * middle);
+    mean.error += weight * (smooth + share_of_near(patch, true, nullptr, light.emitter.extent()) * middle);
 }
 
 std::vector<ReceivingCell> ReceivingCell::halves() const {
@@ -161,9 +163,11 @@ void ShadowedCell::measure(const PatchLight& light) {
     double unhidden = 0.5 * (values.least + values.greatest);
     if (!(shared > 0.0) && differ > 0.0)
         unhidden = light.emitter.from_place(piece, opening.centre, patch, light.normal).mean;
-    const double near = share_of_near(patch, &opening, opening.corners) * unhidden;
-    const double of_patch = (near + error_of_smooth(within, unhidden)) * shared / count;
-    const double of_opening = error_of_smooth(values.value(), unhidden) * shared / count + differ * unhidden;
+    const double near = share_of_near(patch, !light.emitter.is_uniform(), &opening, opening.corners) * unhidden;
+    const double seen = shared / count;
+    double of_patch = error_of_smooth(within, unhidden) * seen;
+    double of_opening = error_of_smooth(values.value(), unhidden) * seen + differ * unhidden;
+    (light.emitter.is_uniform() ? of_opening : of_patch) += near * seen;
     next = of_opening > of_patch && opening.count > 1 ? Next::opening : Next::patch;
     mean.error = weight * (of_patch + of_opening);
 }
