@@ -23,7 +23,8 @@ constexpr double of_kinked = 0.08;   // of it where a node sees all or nothing
 constexpr double of_slight = 0.25;   // more of it where these hardly differ: a rim that one node just notices
 constexpr double of_rims = 0.12;     // of what only the opening's corners see, or do not see
 
-constexpr double of_near = 0.1;  // of the light itself, where a cell is as wide as it is far
+constexpr double of_uniform = 0.3;  // of these, where no table bends the light
+constexpr double of_near = 0.1;     // of the light itself, where a cell is as wide as it is far
 
 /// Of the light itself: peaks between the nodes of cells nearer to the light than they are wide. Without
 /// `on_patch` the nodes are the opening's alone.
@@ -166,7 +167,8 @@ void ShadowedCell::measure(const PatchLight& light) {
     const double near = share_of_near(patch, !light.emitter.is_uniform(), &opening, opening.corners) * unhidden;
     const double seen = shared / count;
     double of_patch = error_of_smooth(within, unhidden) * seen;
-    double of_opening = error_of_smooth(values.value(), unhidden) * seen + differ * unhidden;
+    const double uneven = error_of_smooth(values.value(), unhidden) * seen;
+    double of_opening = (light.emitter.is_uniform() ? of_uniform * uneven : uneven) + differ * unhidden;
     (light.emitter.is_uniform() ? of_opening : of_patch) += near * seen;
     next = of_opening > of_patch && opening.count > 1 ? Next::opening : Next::patch;
     mean.error = weight * (of_patch + of_opening);

@@ -1,4 +1,5 @@
 /// Means over patches against the light at very many places of them, and against the flux sent.
+#include "engine/direct/light_on_luminaires.h"
 #include "engine/mesh/mesh.h"
 #include "tests/box_room.h"
 #include "tests/unit/direct/scenes.h"
@@ -133,6 +134,29 @@ TEST(MeanAccuracy, all_light_arrives_in_a_closed_furnished_room) {
             EXPECT_NEAR(flux / emitter.flux().value, 1, std::max(1e-3, 0.5 * share));
         }
     }
+}
+
+TEST(MeanAccuracy, what_a_lamp_in_the_way_takes_is_not_lost) {
+    Scene scene = test::box_room({5, 4, 2.8}, 0.5);
+    const double h = 0.15;
+    PolyhedronOpening cube;
+    for (int k = 0; k < 8; ++k) cube.vertices.emplace_back(k & 1 ? h : -h, k & 2 ? h : -h, k & 4 ? h : -h);
+    cube.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    scene.luminaires.push_back(test::panel(scene, {2.5, 2, 2.7}, {1.2, 0.6}, 3000));
+    scene.luminaires.push_back(luminaire_at({2.6, 2.1, 1.7}, cube, LuminousFlux{500}));
+    scene.luminaires.back().id = scene.new_id();
+    scene.luminaires.back().opaque = true;
+    const auto mesh = make_mesh(scene, 0.6);
+    const OccluderSet occluders = occluders_of(scene);
+    std::vector<ReceivingPolygon> polygons;
+    for (const Patch& patch : mesh->patches) polygons.push_back({patch.outline, mesh->faces[patch.face].face.normal});
+    const Emitter panel(scene, scene.luminaires[0]);
+    const auto means = *mean_direct_estimates(panel, polygons, &occluders, {1e-3, 0.01}, {});
+    double on_walls = 0;
+    for (std::size_t k = 0; k < polygons.size(); ++k) on_walls += means[k] * mesh->patches[k].area;
+    const Estimate on_lamp = *flux_on_luminaires(panel, scene, occluders, {1e-3, 0.01}, {});
+    EXPECT_GT(on_lamp.value, 50.0);
+    EXPECT_NEAR((on_walls + on_lamp.value) / panel.flux().value, 1, 1e-3);
 }
 
 TEST(MeanAccuracy, the_hard_shadow_of_a_point_has_an_exact_border) {
