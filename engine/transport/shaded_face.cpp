@@ -102,9 +102,7 @@ unsigned ShadedFace::reached(const Block& block, const FlatBox& shade) const {
 
 FlatBox ShadedFace::shade_of(std::span<const FlatLine> lines) const {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    if (blocks.size() == 1 || corners.count + lines.size() > FlatLoop::most) {
-        return {-infinite, -infinite, infinite, infinite};
-    }
+    if (blocks.size() == 1 || corners.count + lines.size() > FlatLoop::most) return everywhere;
     FlatLoop shade = corners;
     for (const FlatLine& line : lines) clip(shade, line);
     FlatBox box{infinite, infinite, -infinite, -infinite};

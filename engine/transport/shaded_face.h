@@ -5,11 +5,26 @@
 #include "engine/transport/flat_loop.h"
 #include "engine/transport/seen_face.h"
 
+#include <algorithm>
 #include <bit>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace hanei {
+
+inline constexpr FlatBox everywhere{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+
+inline FlatBox around(const FlatBox& a, const FlatBox& b) {
+    return {std::min(a.low_u, b.low_u), std::min(a.low_v, b.low_v), std::max(a.high_u, b.high_u),
+            std::max(a.high_v, b.high_v)};
+}
+
+inline FlatBox common(const FlatBox& a, const FlatBox& b) {
+    return {std::max(a.low_u, b.low_u), std::max(a.low_v, b.low_v), std::min(a.high_u, b.high_u),
+            std::min(a.high_v, b.high_v)};
+}
 
 /// A line in single precision, as it is held against four places or bounds.
 struct FourLine {

@@ -16,26 +16,13 @@ constexpr double sharp = 1e-6;
 
 double size_of(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr FlatBox everywhere{-infinite, -infinite, infinite, infinite};
-
-FlatBox around(const FlatBox& a, const FlatBox& b) {
-    return {std::min(a.low_u, b.low_u), std::min(a.low_v, b.low_v), std::max(a.high_u, b.high_u),
-            std::max(a.high_v, b.high_v)};
-}
-
-FlatBox common(const FlatBox& a, const FlatBox& b) {
-    return {std::max(a.low_u, b.low_u), std::max(a.low_v, b.low_v), std::min(a.high_u, b.high_u),
-            std::min(a.high_v, b.high_v)};
-}
-
 struct Extent {
     double low, high;
 };
 
 /// Heights of the face's corners.
 Extent extent_of(const ShadedFace& face, const FlatLine& line) {
-    double low = infinite, high = -infinite;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t k = 0; k < face.corners.count; ++k) {
         const double height = line.height(face.corners.u[k], face.corners.v[k]);
         low = std::min(low, height);
@@ -97,7 +84,7 @@ bool ShadowCast::find_shaded(const ShadedFace& face, std::size_t receiver, BodyS
     look_at(face, receivers_[receiver]);
     bool any = false;
     for (const BodyIndex body : bodies) {
-        std::size_t unknown = ~std::size_t{0};
+        std::size_t unknown = none;
         const Shaded shaded = cast_on(face, shadows.of(receiver, body), cast_, unknown);
         if (shaded == Shaded::nothing) continue;
         if (shaded == Shaded::everything) {
@@ -139,9 +126,16 @@ bool ShadowCast::cast_all(const ShadedFace& face, std::size_t receiver, std::spa
     if (casts_.size() < bodies.size()) casts_.resize(bodies.size());
     if (misses_.size() != bodies.size()) misses_.assign(bodies.size(), 0);
     cast_count_ = 0;
+    const auto cast = [&](std::size_t k) {
+        return cast_on(face, shadows_.of(receiver, bodies[k]), casts_[cast_count_], misses_[k]);
+    };
+    if (likely_ < bodies.size() && cast(likely_) == Shaded::everything) return true;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
-        const Shaded shaded = cast_on(face, shadows_.of(receiver, bodies[k]), casts_[cast_count_], misses_[k]);
-        if (shaded == Shaded::everything) return true;
+        const Shaded shaded = cast(k);
+        if (shaded == Shaded::everything) {
+            likely_ = k;
+            return true;
+        }
         if (shaded == Shaded::part) ++cast_count_;
     }
     return false;

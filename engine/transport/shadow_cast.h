@@ -46,7 +46,10 @@ public:
                      std::span<const BodyIndex> bodies, ShadedPatches& patches);
 
     /// Another face, or other bodies, follow.
-    void next_face() { misses_.clear(); }
+    void next_face() {
+        misses_.clear();
+        likely_ = none;
+    }
 
 private:
     /// The part of a face in one body's shadow.
@@ -87,6 +90,8 @@ private:
     std::vector<Cast> casts_;
     Cast cast_;
     std::size_t cast_count_ = 0;
+    static constexpr std::size_t none = ~std::size_t{0};
+    std::size_t likely_ = none;        ///< which of the bodies hid all of the face from a receiver before
     std::vector<std::size_t> misses_;  ///< by which plane each body's shadow last missed the face
     std::vector<char> hidden_;
     std::vector<std::int32_t> first_cut_;  ///< one a patch
