@@ -78,16 +78,17 @@ RowWriter row_writer_for(const RowsInput& input) {
     return row_writer(std::make_shared<NodeRows>(input));
 }
 
-ShareWriter share_writer_for(const RowsInput& input, const BodyChanges& changes) {
+ShareWriter share_writer_for(const RowsInput& input, const OccluderSet& changed) {
     const auto shares = std::make_shared<VisibleShares>(*input.mesh, *input.occluders);
-    ShareWriter writer;
-    writer.changed = [=, &input, &changes](std::size_t first, std::size_t last, std::vector<ColumnRange>& columns) {
-        shares->touched_by(changes.gone, changes.come, input.receivers.subspan(first, last - first), columns);
+    return [=, &input, &changed](std::size_t first, std::size_t last, float* rows) {
+        return shares->rewrite(input.receivers.subspan(first, last - first), changed, rows);
     };
-    writer.write = [=, &input](std::size_t first, std::size_t last, std::span<const ColumnRange> columns, float* row) {
-        shares->write(input.receivers.subspan(first, last - first), columns, row);
-    };
-    return writer;
+}
+
+OccluderSet all_of(const OccluderSet& some, const OccluderSet& others) {
+    std::vector<ConvexBody> bodies(some.bodies().begin(), some.bodies().end());
+    bodies.insert(bodies.end(), others.bodies().begin(), others.bodies().end());
+    return OccluderSet(std::move(bodies));
 }
 
 }  // namespace
@@ -113,7 +114,8 @@ bool RowsStage::bring_up_to_date(const RowsInput& input, const Work& work) {
         rows_ = make_rows(input, work);
         return rows_.has_value();
     }
-    return rows_->rewrite_shares([&] { return share_writer_for(input, changes); }, work);
+    const OccluderSet changed = all_of(changes.gone, changes.come);
+    return rows_->rewrite_shares([&] { return share_writer_for(input, changed); }, work);
 }
 
 const StoredRows* RowsStage::get(const RowsInput& input, const Work& work) {
