@@ -85,6 +85,7 @@ void for_each_shaded(const ShadedFace& face, std::span<const FourLine> lines, co
     for (std::size_t block = 0; block < face.blocks.size(); ++block) {
         for (unsigned groups = face.reached(face.blocks[block], within); groups != 0; groups &= groups - 1) {
             const std::size_t group = ShadedFace::lanes * block + static_cast<std::size_t>(std::countr_zero(groups));
+            if (group >= face.groups.size()) break;  // empty lanes lie at infinity, which an unbounded shade meets
             const ShadedFace::Group patches = face.groups[group];
             FourFlags beyond{}, crossed{};
             for (const FourLine& line : lines) {
