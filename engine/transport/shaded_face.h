@@ -13,8 +13,9 @@
 
 namespace hanei {
 
-inline constexpr FlatBox everywhere{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                                    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+/// Every place that floats tell; empty bounds, which begin beyond it, do not meet it.
+inline constexpr double farthest = std::numeric_limits<float>::max();
+inline constexpr FlatBox everywhere{-farthest, -farthest, farthest, farthest};
 
 inline FlatBox around(const FlatBox& a, const FlatBox& b) {
     return {std::min(a.low_u, b.low_u), std::min(a.low_v, b.low_v), std::max(a.high_u, b.high_u),
