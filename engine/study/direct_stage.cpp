@@ -7,19 +7,6 @@
 
 namespace hanei {
 
-namespace {
-
-const Photometry* photometry_of(const Scene& scene, const Luminaire& luminaire) {
-    const auto* measured = std::get_if<Measured>(&luminaire.distribution);
-    if (!measured) return nullptr;
-    const auto found =
-        std::find_if(scene.photometries.begin(), scene.photometries.end(),
-                     [&](const Photometry& photometry) { return photometry.id == measured->photometry; });
-    return found == scene.photometries.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
 double output_share(const Scene& scene, const Luminaire& luminaire) {
     return luminaire.dimming * scene.maintenance_factor;
 }
@@ -41,7 +28,7 @@ std::vector<std::uint32_t> DirectStage::touched(const Emitter& emitter, const Li
 DirectStage::Values DirectStage::of(const Scene& scene, const Luminaire& luminaire, const LightReceivers& receivers,
                                     const std::shared_ptr<const OccluderSet>& occluders) {
     Luminaire light = light_of(luminaire);
-    const Photometry* const photometry = photometry_of(scene, luminaire);
+    const Photometry* const photometry = measured_of(scene, luminaire);
     Entry& kept = entries_[luminaire.id];
     const bool same = kept.values && kept.light == light && kept.receivers == receivers.identity &&
                       kept.accuracy == receivers.accuracy &&

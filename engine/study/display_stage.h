@@ -1,11 +1,9 @@
-/// The display mesh: patches with a value at every corner, cut finer where direct light bends, so
-/// that a desk's shadow does not look like stairs.
+/// The display mesh: its cells with direct light and, laid over it, the light from surfaces.
 #pragma once
 
-#include "engine/direct/direct.h"
-#include "engine/solution/solution.h"
+#include "engine/study/display_cells.h"
+#include "engine/study/vertex_light.h"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,38 +23,44 @@ std::optional<std::vector<double>> direct_from_all(std::span<const WeightedEmitt
                                                    std::span<const Receiver> receivers, const OccluderSet* occluders,
                                                    const Work& work);
 
-/// A vertex of the display by the mesh vertices it lies among: bilinear in u and v.
-struct DisplaySource {
-    std::array<VertexId, 4> among{};
-    double u = 0.0, v = 0.0;
-};
-
-/// The display's cells with direct light, before light from surfaces is laid over it.
-struct DirectDisplay {
-    DisplayMesh display;                 ///< direct and position filled
-    std::vector<DisplaySource> sources;  ///< one a vertex
-    std::vector<float> open_direct;      ///< lx without shadows; empty unless asked for
-};
-
 struct DisplayInput {
-    const Mesh* mesh = nullptr;
-    std::span<const WeightedEmitter> emitters;
-    const OccluderSet* occluders = nullptr;  ///< null: no shadows
-    bool open = false;                       ///< also without shadows
-    int finest = 4;                          ///< a cell is halved at most this often
-    std::size_t budget = 60'000;             ///< no cell is cut once there are more vertices
+    const Scene* scene = nullptr;
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const OccluderSet> occluders;  ///< null: no shadows
+    Accuracy accuracy;                             ///< of each luminaire's direct light
+    bool open = false;                             ///< also without shadows
+    bool live = false;  ///< the scene is being dragged: on the cells of before while the mesh is the same
 };
 
-/// Cuts a cell in four while its corners differ by more than the eye would see of it: 8 % of the
-/// darkest corner and 0.5 % of the brightest vertex, and while a finer neighbour's vertex on its edge
-/// differs as much from what is drawn there: a shadow found in one cell is followed into the next.
-/// Every cell is cut at least once.
-/// Returns   empty when stopped.
-std::optional<DirectDisplay> make_direct_display(const DisplayInput& input, const Work& work);
+/// Light from surfaces, lx, one value a mesh vertex.
+struct SurfaceLight {
+    std::vector<double> interreflected;
+    std::vector<std::vector<double>> bands;  ///< the same in each colour band; none when the scene is neutral
+    std::vector<double> open;                ///< of the room without shadows; empty when not wanted
+};
 
-/// The display with interreflected light, lx, one value a mesh vertex. `open_interreflected` is
-/// that of the room without shadows; empty when not wanted.
-std::shared_ptr<const DisplayMesh> dressed(const DirectDisplay& direct, std::span<const double> interreflected,
-                                           std::span<const double> open_interreflected);
+/// Keeps direct light per luminaire at every vertex: dimming weighs it anew, a moved luminaire lights
+/// its own. Cells are those of the scene's light, whatever was shown before; while the scene is being
+/// dragged those of before stay.
+class DisplayStage {
+public:
+    /// Brings cells and direct light up to date.
+    /// Returns   false when stopped.
+    bool update(const DisplayInput& input, const Work& work);
+    bool reused() const { return reused_; }  ///< the last update() neither cut nor lit anything
+
+    /// Needs     a successful update().
+    std::shared_ptr<const DisplayMesh> dressed(const SurfaceLight& light) const;
+
+private:
+    bool cut(const DisplayInput& input, const Work& work);
+
+    DisplayPlaces places_;
+    VertexLight light_, open_light_;
+    std::shared_ptr<const Mesh> mesh_;  ///< of the cut
+    DisplayCut cut_;
+    bool is_of_the_light_ = false;  ///< the cut is that of the light as it is
+    bool open_ = false, coloured_ = false, reused_ = false;
+};
 
 }  // namespace hanei

@@ -1,5 +1,7 @@
 #include "engine/study/stage_keys.h"
 
+#include <algorithm>
+
 namespace hanei {
 
 Scene surfaces_of(const Scene& scene) {
@@ -37,6 +39,15 @@ Luminaire light_of(const Luminaire& luminaire) {
     kept.dimming = 1.0;
     kept.colour_temperature = 0.0;
     return kept;
+}
+
+const Photometry* measured_of(const Scene& scene, const Luminaire& luminaire) {
+    const auto* measured = std::get_if<Measured>(&luminaire.distribution);
+    if (!measured) return nullptr;
+    const auto found =
+        std::find_if(scene.photometries.begin(), scene.photometries.end(),
+                     [&](const Photometry& photometry) { return photometry.id == measured->photometry; });
+    return found == scene.photometries.end() ? nullptr : &*found;
 }
 
 }  // namespace hanei

@@ -12,4 +12,7 @@ Scene surfaces_of(const Scene& scene);
 /// The luminaire at full output: what its direct light depends on. Name, group, dimming and colour are taken out.
 Luminaire light_of(const Luminaire& luminaire);
 
+/// The photometry it shines by; null when it has none.
+const Photometry* measured_of(const Scene& scene, const Luminaire& luminaire);
+
 }  // namespace hanei

@@ -2,6 +2,7 @@
 
 #include "engine/base/tiles.h"
 #include "engine/geometry/polygon.h"
+#include "engine/scene/colour.h"
 #include "engine/scene/faces.h"
 #include "engine/study/display_stage.h"
 #include "engine/study/level.h"
@@ -72,17 +73,6 @@ Accuracy direct_accuracy(const Scene& scene, const Settings& settings) {
 
 std::vector<double> nothing(std::size_t count) { return std::vector<double>(count, 0.0); }
 
-/// What the display's cells and their direct light are made from.
-struct DisplayKey {
-    std::shared_ptr<const Mesh> mesh;
-    std::shared_ptr<const OccluderSet> occluders;
-    std::vector<Luminaire> lights;
-    std::vector<Photometry> photometries;
-    double maintenance_factor = 1.0;
-    bool open = false;
-    bool operator==(const DisplayKey&) const = default;
-};
-
 }  // namespace
 
 struct Study::Stages {
@@ -90,7 +80,7 @@ struct Study::Stages {
     DirectStage point_direct;
     std::shared_ptr<const OccluderSet> occluders;
     Receivers points, vertices;
-    StageCache<DisplayKey, DirectDisplay> direct_display;
+    DisplayStage display_stage;
     ShadowStage shadow_stage;
 
     struct Run {
@@ -107,8 +97,9 @@ struct Study::Stages {
     void prepare(Run& run);
     bool shadows(Run& run);
     bool values(Run& run, const LevelAnswer& answer, const LevelAnswer* rough);
-    bool display(Run& run, const std::vector<double>& interreflected, const std::vector<double>& open);
-    std::optional<std::vector<double>> vertex_interreflected(Run& run, const LevelAnswer& answer);
+    bool display(Run& run, const SurfaceLight& light, bool open);
+    SurfaceLight vertex_light_of(const LevelAnswer& answer) const;
+    std::optional<SurfaceLight> vertex_light(Run& run, const LevelAnswer& answer);
     std::optional<LevelAnswer> solve_coarse(Run& run);
     std::optional<std::vector<double>> open_interreflected(Run& run);
     std::optional<std::vector<double>> direct_at_points(Run& run);
@@ -236,37 +227,37 @@ std::optional<std::vector<double>> Study::Stages::open_interreflected(Run& run) 
     return std::move(light->interreflected);
 }
 
-std::optional<std::vector<double>> Study::Stages::vertex_interreflected(Run& run, const LevelAnswer& answer) {
-    if (answer.parts.empty()) return nothing(vertices->size());
-    if (!gathers_at_vertices(run.settings.method))
-        return fine.vertex_values(mixed(answer.parts, &SideLight::interreflected));
+/// From the unknowns themselves.
+SurfaceLight Study::Stages::vertex_light_of(const LevelAnswer& answer) const {
+    SurfaceLight light{fine.vertex_values(mixed(answer.parts, &SideLight::interreflected)), {}, {}};
+    const bool coloured =
+        std::any_of(answer.parts.begin(), answer.parts.end(), [](const LightPart& part) { return part.band > 0; });
+    for (int band = 0; coloured && band < colour_bands; ++band)
+        light.bands.push_back(fine.vertex_values(mixed_band(answer.parts, band, &SideLight::interreflected)));
+    return light;
+}
+
+std::optional<SurfaceLight> Study::Stages::vertex_light(Run& run, const LevelAnswer& answer) {
+    if (answer.parts.empty() || !gathers_at_vertices(run.settings.method)) return vertex_light_of(answer);
     run.clock.enter(Stage::gathering);
     auto light = fine.gather(vertices_slot, answer.parts, vertices, run.fine_input(), run.work, run.clock);
     if (!light) return std::nullopt;
-    return std::move(light->interreflected);
+    return SurfaceLight{std::move(light->interreflected), std::move(light->bands), {}};
 }
 
-bool Study::Stages::display(Run& run, const std::vector<double>& interreflected, const std::vector<double>& open) {
+bool Study::Stages::display(Run& run, const SurfaceLight& light, bool open) {
     run.clock.enter(Stage::refining);
-    Solution& solution = *run.solution;
-    const auto shadows = run.fine_input().occluders;
-    DisplayKey key{solution.mesh, shadows, {}, run.scene->photometries, run.scene->maintenance_factor, !open.empty()};
-    for (const Luminaire& luminaire : run.scene->luminaires) {
-        key.lights.push_back(light_of(luminaire));
-        key.lights.back().dimming = luminaire.dimming;
-    }
-    const DirectDisplay* direct = direct_display.get(key, [&] {
-        const auto emitters = emitters_of(*run.scene);
-        DisplayInput input;
-        input.mesh = solution.mesh.get();
-        input.emitters = emitters;
-        input.occluders = shadows.get();
-        input.open = key.open;
-        return make_direct_display(input, run.work);
-    });
-    run.clock.mark_reused(direct_display.reused());
-    if (!direct) return false;
-    solution.display = dressed(*direct, interreflected, open);
+    const LevelInput level = run.fine_input();
+    DisplayInput input;
+    input.scene = run.scene.get();
+    input.mesh = run.solution->mesh;
+    input.occluders = level.occluders;
+    input.accuracy = run.direct_accuracy;
+    input.open = open;
+    input.live = run.request.live;
+    if (!display_stage.update(input, run.work)) return false;
+    run.clock.mark_reused(display_stage.reused());
+    run.solution->display = display_stage.dressed(light);
     return true;
 }
 
@@ -283,8 +274,7 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
     const auto on_way = [&](const LevelAnswer& estimate) {
         if (!publish) return;
         take_answer(*run.solution, stages_->fine, estimate);
-        const auto at_vertices = stages_->fine.vertex_values(mixed(estimate.parts, &SideLight::interreflected));
-        if (request.display && !stages_->display(run, at_vertices, {})) return;
+        if (request.display && !stages_->display(run, stages_->vertex_light_of(estimate), false)) return;
         publish(std::make_shared<const Solution>(*run.solution));
     };
     const auto answer = stages_->fine.solve(run.fine_input(), run.work, run.clock, on_way);
@@ -297,15 +287,14 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
     take_answer(*run.solution, stages_->fine, *answer);
     if (!stages_->values(run, *answer, rough ? &*rough : nullptr)) return nullptr;
     if (request.display) {
-        const auto interreflected = stages_->vertex_interreflected(run, *answer);
-        if (!interreflected) return nullptr;
-        std::vector<double> open;
+        auto light = stages_->vertex_light(run, *answer);
+        if (!light) return nullptr;
         if (request.unshadowed) {
             auto without_shadows = stages_->open_interreflected(run);
             if (!without_shadows) return nullptr;
-            open = std::move(*without_shadows);
+            light->open = std::move(*without_shadows);
         }
-        if (!stages_->display(run, *interreflected, open)) return nullptr;
+        if (!stages_->display(run, *light, request.unshadowed)) return nullptr;
     }
 
     note_divergence(*run.solution);

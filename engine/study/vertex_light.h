@@ -1,0 +1,59 @@
+/// Direct light at scattered places, kept per luminaire at full output: dimming only weighs it anew, a
+/// moved luminaire lights its own, a body that moved is looked at only where its shadow can fall.
+#pragma once
+
+#include "engine/direct/direct.h"
+#include "engine/study/body_changes.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hanei {
+
+class VertexLight {
+public:
+    /// The light that is asked for from here on; of what is kept, that which may be another is forgotten.
+    /// Returns   false when everything is as it was, dimming and colours too.
+    bool follow(const Scene& scene, const std::shared_ptr<const OccluderSet>& occluders, const Accuracy& accuracy,
+                std::span<const Receiver> places);
+
+    /// Lights those of the places that some luminaire of the scene has not lit yet.
+    /// Returns   false when stopped.
+    bool light(std::span<const Receiver> places, std::span<const std::uint32_t> which, const Work& work);
+    bool worked() const { return worked_; }  ///< light() computed something since follow()
+
+    void forget(std::uint32_t place);  ///< another receiver stands there
+    void clear();
+
+    /// lx, as the scene sets its luminaires; and in the colour bands.
+    /// Needs     a place that is lit.
+    double total(std::uint32_t place) const;
+    Vec3 bands(std::uint32_t place) const;
+
+private:
+    struct Kept {
+        Luminaire light;
+        std::optional<Photometry> photometry;
+        std::optional<Emitter> emitter;
+        std::shared_ptr<const OccluderSet> occluders;
+        std::vector<float> lux;  ///< one a place; below 0: not known
+    };
+    struct Shining {
+        Kept* kept = nullptr;
+        double share = 1.0;
+        Vec3 bands{1.0};
+    };
+    void forget_shadowed(Kept& kept, std::span<const Receiver> places);
+
+    std::map<ObjectId, Kept> kept_;
+    std::vector<Shining> shining_;
+    std::shared_ptr<const OccluderSet> occluders_;
+    Accuracy accuracy_;
+    LastBodyChanges changes_;
+    bool worked_ = false;
+};
+
+}  // namespace hanei
