@@ -93,7 +93,7 @@ void add_desktop(CLI::App& app, Arguments& arguments) {
     app.add_option("PROJECT", arguments.desktop.project, "Project file to open; none: the start room");
     app.add_option("--size", arguments.size, "Size of the window in pixels")->check(CLI::Validator(check_size, "WxH"));
     app.add_option("--script", arguments.desktop.script,
-                   "Play this script of clicks, keys and pictures without a window, then end");
+                   "Play this script of clicks, keys, drags and pictures without a window, then end");
     app.add_option("--state-file", arguments.desktop.state_file,
                    "Keep the window's state here as JSON, for test drivers");
 }

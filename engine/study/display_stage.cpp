@@ -45,6 +45,7 @@ bool DisplayStage::cut(const DisplayInput& input, const Work& work) {
     CutInput cutting;
     cutting.mesh = input.mesh.get();
     cutting.places = &places_;
+    cutting.finest = input.finest;
     cutting.on_new = [&](std::uint32_t place) {
         light_.forget(place);
         open_light_.forget(place);
@@ -101,9 +102,10 @@ std::shared_ptr<const DisplayMesh> DisplayStage::dressed(const SurfaceLight& lig
             vertex.unshadowed = static_cast<float>(open_light_.total(cut_.places[k]) + among(light.open));
         if (!coloured_) continue;
         const Vec3 direct = light_.bands(cut_.places[k]);
-        for (std::size_t band = 0; band < colour_bands; ++band)
-            display->tinted[k][band] = static_cast<float>(direct[static_cast<int>(band)] +
-                                                          (light.bands.empty() ? 0.0 : among(light.bands[band])));
+        for (std::size_t band = 0; band < colour_bands; ++band) {
+            const double from_surfaces = among(light.bands.empty() ? light.interreflected : light.bands[band]);
+            display->tinted[k][band] = static_cast<float>(direct[static_cast<int>(band)] + from_surfaces);
+        }
     }
     return display;
 }

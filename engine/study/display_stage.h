@@ -29,13 +29,14 @@ struct DisplayInput {
     std::shared_ptr<const OccluderSet> occluders;  ///< null: no shadows
     Accuracy accuracy;                             ///< of each luminaire's direct light
     bool open = false;                             ///< also without shadows
+    int finest = 4;                                ///< a cell is halved at most this often
     bool live = false;  ///< the scene is being dragged: on the cells of before while the mesh is the same
 };
 
 /// Light from surfaces, lx, one value a mesh vertex.
 struct SurfaceLight {
     std::vector<double> interreflected;
-    std::vector<std::vector<double>> bands;  ///< the same in each colour band; none when the scene is neutral
+    std::vector<std::vector<double>> bands;  ///< the same in each colour band; none: the same in all
     std::vector<double> open;                ///< of the room without shadows; empty when not wanted
 };
 
@@ -47,7 +48,8 @@ public:
     /// Brings cells and direct light up to date.
     /// Returns   false when stopped.
     bool update(const DisplayInput& input, const Work& work);
-    bool reused() const { return reused_; }  ///< the last update() neither cut nor lit anything
+    double flux() const { return light_.flux(); }  ///< lm, of all luminaires as the scene sets them
+    bool reused() const { return reused_; }        ///< the last update() neither cut nor lit anything
 
     /// Needs     a successful update().
     std::shared_ptr<const DisplayMesh> dressed(const SurfaceLight& light) const;

@@ -2,9 +2,9 @@
 
 #include "engine/base/tiles.h"
 #include "engine/geometry/polygon.h"
-#include "engine/scene/colour.h"
 #include "engine/scene/faces.h"
 #include "engine/study/display_stage.h"
+#include "engine/study/first_picture.h"
 #include "engine/study/level.h"
 #include "engine/study/outcome.h"
 #include "engine/study/shadow_stage.h"
@@ -12,6 +12,7 @@
 #include "engine/study/value_stage.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 
@@ -21,7 +22,9 @@ namespace {
 
 constexpr int points_slot = 0;
 constexpr int vertices_slot = 1;
-constexpr double coarse_ratio = 2.0;  // the coarser solution's patches are this much wider
+constexpr double soon_ms = 50.0;           // an answer that comes sooner needs no picture ahead of it
+constexpr std::size_t many_patches = 800;  // fewer are solved soon enough
+constexpr double coarse_ratio = 2.0;       // the coarser solution's patches are this much wider
 
 using Receivers = std::shared_ptr<const std::vector<Receiver>>;
 
@@ -81,6 +84,13 @@ struct Study::Stages {
     std::shared_ptr<const OccluderSet> occluders;
     Receivers points, vertices;
     DisplayStage display_stage;
+    CarriedLight carried;
+    struct Taken {
+        std::shared_ptr<const Mesh> mesh;
+        std::shared_ptr<const OccluderSet> occluders;
+        double ms = 0.0;
+    };
+    Taken taken[2];  ///< by the last full answer; [1]: while the scene was dragged
     ShadowStage shadow_stage;
 
     struct Run {
@@ -91,14 +101,17 @@ struct Study::Stages {
         StageClock clock;
         std::shared_ptr<Solution> solution;
         Accuracy direct_accuracy;
+        std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
         LevelInput fine_input() const;
     };
 
     void prepare(Run& run);
     bool shadows(Run& run);
     bool values(Run& run, const LevelAnswer& answer, const LevelAnswer* rough);
+    bool light_display(Run& run, bool open);
     bool display(Run& run, const SurfaceLight& light, bool open);
-    SurfaceLight vertex_light_of(const LevelAnswer& answer) const;
+    bool picture_ahead(Run& run, const std::function<void(SolutionSnapshot)>& publish);
+    void keep_for_next(const Run& run, SurfaceLight light);
     std::optional<SurfaceLight> vertex_light(Run& run, const LevelAnswer& answer);
     std::optional<LevelAnswer> solve_coarse(Run& run);
     std::optional<std::vector<double>> open_interreflected(Run& run);
@@ -227,25 +240,15 @@ std::optional<std::vector<double>> Study::Stages::open_interreflected(Run& run) 
     return std::move(light->interreflected);
 }
 
-/// From the unknowns themselves.
-SurfaceLight Study::Stages::vertex_light_of(const LevelAnswer& answer) const {
-    SurfaceLight light{fine.vertex_values(mixed(answer.parts, &SideLight::interreflected)), {}, {}};
-    const bool coloured =
-        std::any_of(answer.parts.begin(), answer.parts.end(), [](const LightPart& part) { return part.band > 0; });
-    for (int band = 0; coloured && band < colour_bands; ++band)
-        light.bands.push_back(fine.vertex_values(mixed_band(answer.parts, band, &SideLight::interreflected)));
-    return light;
-}
-
 std::optional<SurfaceLight> Study::Stages::vertex_light(Run& run, const LevelAnswer& answer) {
-    if (answer.parts.empty() || !gathers_at_vertices(run.settings.method)) return vertex_light_of(answer);
+    if (answer.parts.empty() || !gathers_at_vertices(run.settings.method)) return light_at_vertices(fine, answer);
     run.clock.enter(Stage::gathering);
     auto light = fine.gather(vertices_slot, answer.parts, vertices, run.fine_input(), run.work, run.clock);
     if (!light) return std::nullopt;
     return SurfaceLight{std::move(light->interreflected), std::move(light->bands), {}};
 }
 
-bool Study::Stages::display(Run& run, const SurfaceLight& light, bool open) {
+bool Study::Stages::light_display(Run& run, bool open) {
     run.clock.enter(Stage::refining);
     const LevelInput level = run.fine_input();
     DisplayInput input;
@@ -257,8 +260,43 @@ bool Study::Stages::display(Run& run, const SurfaceLight& light, bool open) {
     input.live = run.request.live;
     if (!display_stage.update(input, run.work)) return false;
     run.clock.mark_reused(display_stage.reused());
+    return true;
+}
+
+bool Study::Stages::display(Run& run, const SurfaceLight& light, bool open) {
+    if (!light_display(run, open)) return false;
     run.solution->display = display_stage.dressed(light);
     return true;
+}
+
+/// What can be shown before interreflection is solved. Nothing when the answer itself comes at once.
+/// Returns   false when a first guess of the answer should be shown instead.
+bool Study::Stages::picture_ahead(Run& run, const std::function<void(SolutionSnapshot)>& publish) {
+    if (!publish || !run.request.display) return false;
+    const Taken& last = taken[run.request.live];
+    const bool as_before = last.mesh == run.solution->mesh && last.occluders == run.solution->occluders;
+    if (as_before && last.ms < soon_ms) return true;
+
+    if (carried.empty()) {
+        if (run.solution->mesh->patches.size() < many_patches) return false;
+        auto first = FirstPicture().make(run.fine_input(), run.work, run.clock);
+        if (!first) return false;
+        Solution solution = *run.solution;
+        solution.mesh = first->mesh;
+        solution.display = first->display;
+        publish(std::make_shared<const Solution>(std::move(solution)));
+        carried.keep(first->mesh, std::move(first->light), first->flux);
+    }
+    if (!light_display(run, false)) return false;
+    run.solution->display = display_stage.dressed(carried.at(run.solution->mesh, display_stage.flux()));
+    publish(std::make_shared<const Solution>(*run.solution));
+    return true;
+}
+
+void Study::Stages::keep_for_next(const Run& run, SurfaceLight light) {
+    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - run.begun;
+    taken[run.request.live] = {run.solution->mesh, run.solution->occluders, passed.count()};
+    carried.keep(run.solution->mesh, std::move(light), display_stage.flux());
 }
 
 Study::Study() : stages_(std::make_unique<Stages>()) {}
@@ -271,10 +309,11 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
     stages_->prepare(run);
     if (request.shadows && !stages_->shadows(run)) return nullptr;
 
+    const bool is_shown = stages_->picture_ahead(run, publish);
     const auto on_way = [&](const LevelAnswer& estimate) {
-        if (!publish) return;
+        if (!publish || is_shown) return;
         take_answer(*run.solution, stages_->fine, estimate);
-        if (request.display && !stages_->display(run, stages_->vertex_light_of(estimate), false)) return;
+        if (request.display && !stages_->display(run, light_at_vertices(stages_->fine, estimate), false)) return;
         publish(std::make_shared<const Solution>(*run.solution));
     };
     const auto answer = stages_->fine.solve(run.fine_input(), run.work, run.clock, on_way);
@@ -295,6 +334,7 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
             light->open = std::move(*without_shadows);
         }
         if (!stages_->display(run, *light, request.unshadowed)) return nullptr;
+        stages_->keep_for_next(run, std::move(*light));
     }
 
     note_divergence(*run.solution);

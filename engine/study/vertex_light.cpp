@@ -139,4 +139,10 @@ Vec3 VertexLight::bands(std::uint32_t place) const {
     return sum;
 }
 
+double VertexLight::flux() const {
+    double flux = 0.0;
+    for (const Shining& shining : shining_) flux += shining.share * shining.kept->emitter->flux().value;
+    return flux;
+}
+
 }  // namespace hanei

@@ -33,6 +33,8 @@ public:
     double total(std::uint32_t place) const;
     Vec3 bands(std::uint32_t place) const;
 
+    double flux() const;  ///< lm, that all luminaires emit as the scene sets them
+
 private:
     struct Kept {
         Luminaire light;

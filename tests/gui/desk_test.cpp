@@ -277,6 +277,20 @@ TEST(TheDesk, closes_menus_on_escape_and_then_lets_go_of_the_selection) {
     EXPECT_EQ(state(driver, "selected"), "");
 }
 
+TEST(TheDesk, stops_computing_on_escape_and_computes_after_the_next_change) {
+    Driver::Setup slow = setup();
+    slow.content.settings.max_patch = 0.06;  // minutes
+    Driver driver(std::move(slow));
+    ASSERT_TRUE(driver.wait_until([&] { return driver.workbench().study().is_cancellable(); }));
+    EXPECT_DONE(driver.press("Esc"));
+    ASSERT_TRUE(driver.wait_until([&] { return !driver.workbench().study().busy(); }, 10.0));
+    EXPECT_EQ(state(driver, "fresh"), "false");
+    EXPECT_EQ(state(driver, "settled"), "true") << "nothing more will come";
+    EXPECT_DONE(driver.click("tree." + panel));
+    EXPECT_DONE(driver.press("Up"));
+    EXPECT_EQ(state(driver, "busy"), "true");
+}
+
 TEST(TheDesk, fits_small_and_dense_screens) {
     for (const float scale : {1.0F, 2.0F}) {
         Driver::Setup dense = setup();
@@ -289,6 +303,24 @@ TEST(TheDesk, fits_small_and_dense_screens) {
         EXPECT_LT(field->right, 1280.0F * scale);
         EXPECT_GT(field->right - field->left, 80.0F * scale);  // "-123.456" with room around it
     }
+}
+
+TEST(AScript, records_a_drag_by_the_clock_and_reports_how_long_answers_took) {
+    const std::filesystem::path folder = scratch("strip");
+    std::filesystem::remove_all(folder);
+    Driver driver(setup());
+    std::ostringstream out;
+    const std::string script = "wait converged\nrecord \"" + folder.string() + "\" every 5\n" + "drag object \"" +
+                               panel + "\" by 0.8 0 0 in 0.5\nwait converged\nreport latency\n";
+    const auto fault = play_script(script, "drag", driver, out);
+    ASSERT_FALSE(fault) << to_text(*fault);
+    EXPECT_NE(out.str().find("frames: "), std::string::npos);
+    EXPECT_NE(out.str().find("answers: "), std::string::npos);
+    EXPECT_EQ(out.str().find("answers: none"), std::string::npos);
+    const std::vector<std::filesystem::path> pictures(std::filesystem::directory_iterator(folder), {});
+    EXPECT_GE(pictures.size(), 3U);
+    EXPECT_TRUE(play_script("report latency\n", "drag", driver, out)) << "nothing is being recorded";
+    EXPECT_TRUE(play_script("record nowhere every 0\n", "drag", driver, out));
 }
 
 TEST(AScript, says_what_is_wrong_with_the_line_it_stands_in) {

@@ -7,7 +7,11 @@
 namespace hanei {
 namespace {
 
-constexpr std::chrono::milliseconds patience{250};  // of a gesture with the study under way
+constexpr double patience = 1.0;  // s, of a gesture with the study under way
+
+double seconds_since(std::chrono::steady_clock::time_point then) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
 
 }  // namespace
 
@@ -24,6 +28,8 @@ bool LiveStudy::fresh() const {
     return solution_->scene == final_scene_ && answers(*solution_);
 }
 
+double LiveStudy::answer_age() const { return answer_ ? seconds_since(answered_at_) : -1.0; }
+
 const Diagnostic* LiveStudy::fault() const { return has_errors(findings_) ? &findings_.front() : nullptr; }
 
 void LiveStudy::take() {
@@ -34,15 +40,36 @@ void LiveStudy::take() {
     }
     SolutionSnapshot taken = job_.take();
     if (!taken) return;
-    if (taken->complete) answer_ = taken;
+    if (taken->complete && taken->scene == started_scene_)
+        answer_delay_ = {answer_delay_.count + 1, seconds_since(started_wish_at_)};
+    if (taken->complete) {
+        answer_ = taken;
+        answered_at_ = Clock::now();
+        if (wish_.in_gesture) expected_seconds_ = seconds_since(started_at_);
+    }
     // A result on the way has no display of its own until direct light is known.
     if (!taken->display && solution_ && solution_->display) return;
     solution_ = std::move(taken);
-    if (fresh()) answer_seconds_ = std::chrono::duration<double>(Clock::now() - wished_at_).count();
+    if (!is_pictured_ && solution_->scene == started_scene_) {
+        picture_delay_ = {picture_delay_.count + 1, seconds_since(started_wish_at_)};
+        is_pictured_ = true;
+    }
+    if (fresh()) answer_seconds_ = seconds_since(wished_at_);
+}
+
+void LiveStudy::cancel() {
+    job_.cancel();
+    cancelled_ = true;
+}
+
+bool LiveStudy::is_cancellable() const {
+    constexpr double a_while = 0.5;  // s
+    return !wish_.in_gesture && !pending_ && !cancelled_ && started_ && job_.busy() &&
+           seconds_since(started_at_) > a_while;
 }
 
 void LiveStudy::start() {
-    pending_ = false;
+    pending_ = cancelled_ = false;
     started_ = true;
     started_at_ = Clock::now();
     findings_ = check_scene(*wish_.scene);
@@ -50,9 +77,22 @@ void LiveStudy::start() {
                      [](const Diagnostic& a, const Diagnostic& b) { return a.severity > b.severity; });
     if (fault() != nullptr) return job_.cancel();
     if (!wish_.in_gesture) final_scene_ = wish_.scene;
-    job_.start(
-        wish_.scene, wish_.settings,
-        {.display = true, .unshadowed = wish_.unshadowed, .shadows = wish_.shadows, .mesh_error = !wish_.in_gesture});
+    started_scene_ = wish_.scene;
+    started_wish_at_ = wished_at_;
+    is_pictured_ = false;
+    job_.start(wish_.scene, wish_.settings,
+               {.display = true,
+                .unshadowed = wish_.unshadowed,
+                .shadows = wish_.shadows,
+                .live = wish_.in_gesture,
+                .mesh_error = !wish_.in_gesture});
+}
+
+/// Whether the study under way is worth waiting for, though the scene has gone on.
+bool LiveStudy::is_patient() const {
+    if (!wish_.in_gesture || !started_ || !job_.busy()) return false;
+    const bool is_slow = expected_seconds_ > patience;
+    return seconds_since(started_at_) < patience && !(is_slow && is_pictured_);
 }
 
 void LiveStudy::follow(const Wish& wish) {
@@ -60,6 +100,7 @@ void LiveStudy::follow(const Wish& wish) {
     const bool same_scene = wish_.scene && (wish.scene == wish_.scene || *wish.scene == *wish_.scene);
     const bool more = (wish.unshadowed && !wish_.unshadowed) || (wish.shadows && !wish_.shadows);
     const bool released = wish_.in_gesture && !wish.in_gesture;
+    if (released) expected_seconds_ = 0.0;
     if (!same_scene || wish.settings != wish_.settings || more || released) {
         pending_ = true;
         wished_at_ = Clock::now();
@@ -71,8 +112,10 @@ void LiveStudy::follow(const Wish& wish) {
     wish_.unshadowed = unshadowed;
     wish_.shadows = shadows;
     if (!pending_) return;
-    const bool patient = wish_.in_gesture && started_ && job_.busy() && Clock::now() - started_at_ < patience;
-    if (!patient) start();
+    if (is_patient()) return;
+    if (wish_.in_gesture && job_.busy())
+        expected_seconds_ = std::max(expected_seconds_, 2.0 * seconds_since(started_at_));
+    start();
 }
 
 std::string_view name_of(Stage stage) {

@@ -5,6 +5,8 @@
 #include "ui/panels/edit.h"
 #include "ui/view/pick.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -19,11 +21,27 @@ std::string short_figure(double value) {
     return fmt::format("{:.2g}", value);
 }
 
+std::string causes(const ErrorBar& error) {
+    constexpr double matters = 0.01;  // of the whole
+    std::array<std::pair<double, std::string_view>, 4> parts{{{error.iteration, "iteration"},
+                                                              {error.mesh, "mesh"},
+                                                              {error.skipped, "skipped"},
+                                                              {error.sampling, "sampling"}}};
+    if (!has_bound(error.total())) return {};
+    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text;
+    for (const auto& [lux, cause] : parts)
+        if (lux > matters * error.total())
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", cause, short_figure(lux));
+    return text;
+}
+
 std::string Probe::text() const {
     if (value.inside_solid) return "inside · " + surface;
-    return fmt::format("{} lx ± {} · direct {} · interreflected {} · {}", short_figure(value.total().value),
-                       short_figure(value.error.total()), short_figure(value.direct.value),
-                       short_figure(value.interreflected.value), surface);
+    const std::string split = causes(value.error);
+    return fmt::format("{} lx ± {}{} · direct {} · interreflected {} · {}", short_figure(value.total().value),
+                       short_figure(value.error.total()), split.empty() ? "" : " (" + split + ")",
+                       short_figure(value.direct.value), short_figure(value.interreflected.value), surface);
 }
 
 std::string surface_name(const Scene& scene, const SurfaceRef& surface) {

@@ -14,8 +14,12 @@ struct Probe {
     PointValue value;
     std::string surface;  ///< "Floor", "Desk 3"
 
-    std::string text() const;  ///< "412 lx ± 3 · direct 300 · interreflected 112 · Floor"
+    std::string text() const;  ///< "412 lx ± 3 (iteration 1, mesh 2) · direct 300 · interreflected 112 · Floor"
 };
+
+/// The parts of an error bar that matter, greatest first: "mesh 2, iteration 1". Empty where there is
+/// no error or no bound.
+std::string causes(const ErrorBar& error);
 
 /// What the room calls a face.
 std::string surface_name(const Scene& scene, const SurfaceRef& surface);

@@ -215,12 +215,12 @@ void Viewport::read_light(const Input& input, const Pane& pane, bool hovered) {
         return;
     }
     const bool same = probed_.at.x == mouse.x && probed_.at.y == mouse.y && probed_.camera == state.camera &&
-                      probed_.solution == input.solution && probed_.scene == input.scene;
+                      probed_.solution == input.answer && probed_.scene == input.scene;
     if (same) return;
-    probed_ = {mouse, state.camera, input.solution, input.scene};
+    probed_ = {mouse, state.camera, input.answer, input.scene};
     hovered_ = pick(*input.scene, state.camera, pane.within(mouse), aspect());
     probe_.reset();
-    if (input.solution) probe_ = probe_at(*input.solution, ray_through(state.camera, pane.within(mouse), aspect()));
+    if (input.answer) probe_ = probe_at(*input.answer, ray_through(state.camera, pane.within(mouse), aspect()));
 }
 
 }  // namespace hanei

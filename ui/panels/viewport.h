@@ -30,7 +30,8 @@ public:
 
     struct Input {
         SceneSnapshot scene;
-        SolutionSnapshot solution;
+        SolutionSnapshot solution;  ///< what is drawn
+        SolutionSnapshot answer;    ///< what values are read from: the last complete one
         ObjectId selected;
         double raster = 0.1;  ///< m; 0 is none
         bool stale = false;

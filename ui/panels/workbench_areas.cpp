@@ -191,7 +191,8 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     const ScreenRect view{area.left, area.top + bar, area.right, area.bottom};
     ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);
     begin_panel("##view", view, false);
-    const Viewport::Input input{document_.shown(), study_.solution(), selected_, raster(), !study_.fresh()};
+    const Viewport::Input input{document_.shown(), study_.solution(), study_.answer(),
+                                selected_,         raster(),          !study_.fresh()};
     const Viewport::Outcome outcome = viewport_.draw(input, paint, widgets_);
     if (viewport_.shown_options(input).shadow_classes)
         class_legend(viewport_.shown_options(input), study_.solution(), view, widgets_);
@@ -203,53 +204,6 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     if (outcome.moved)
         document_.propose(*outcome.moved, "Move " + std::string(name_of(kind_of(*outcome.moved, selected_))));
     if (outcome.released) document_.settle();
-}
-
-void Workbench::status_line(const ScreenRect& area) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * style::scale(), 6.0F * style::scale()});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);
-    begin_panel("##status", area);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
-    const SolutionSnapshot solution = study_.solution();
-    ImU32 light = style::quiet_text;
-    std::string text = "Nothing computed yet";
-    if (study_.fault() != nullptr) {
-        light = style::warning;
-        text = study_.fault()->message;
-    } else if (study_.fresh()) {
-        light = style::good;
-        const bool as_set = !solution->converged && solution->bounces >= document_.settings().bounces;
-        text = fmt::format("{} · {} interreflections · iteration error ≤ {} lx",
-                           solution->converged ? "Converged"
-                           : as_set            ? "Ended after the bounces that are set"
-                                               : "Not converged",
-                           solution->bounces, short_figure(solution->iteration_bound));
-        if (!solution->converged && !as_set) light = style::warning;
-    } else if (study_.busy()) {
-        light = style::accent;
-        const Stage stage = study_.progress().stage();
-        text = fmt::format("{} · {}", solution ? "Stale" : "Computing", name_of(stage));
-        if (study_.progress().fraction() > 0.0F)
-            text += fmt::format(" {:.0f} %", 100.0 * static_cast<double>(study_.progress().fraction()));
-    }
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float radius = 4.0F * style::scale();
-    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, at.y + 0.5F * ImGui::GetTextLineHeight()}, radius,
-                                                light);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 3.5F * radius);
-    ImGui::TextUnformatted(text.c_str());
-    std::string right = message_;
-    if (const auto place = place_of(*document_.shown(), selected_)) {
-        right += fmt::format("{}{}  x {:.2f}  y {:.2f}  z {:.2f} m", right.empty() ? "" : "     ",
-                             display_name(*document_.shown(), selected_), place->x, place->y, place->z);
-    }
-    right += snaps_ ? "     Snap 0.1 m" : "     Free";
-    const float width = ImGui::CalcTextSize(right.c_str()).x;
-    ImGui::SameLine(
-        std::max(ImGui::GetItemRectMax().x + 24.0F, area.right - area.left - width - 14.0F * style::scale()));
-    ImGui::TextColored(style::colour(style::quiet_text), "%s", right.c_str());
-    end_panel();
 }
 
 }  // namespace hanei

@@ -25,7 +25,7 @@ bool Workbench::can(CommandId id) const {
         case CommandId::remove:
             return can_remove(kind);
         case CommandId::deselect:
-            return static_cast<bool>(selected_);
+            return static_cast<bool>(selected_) || study_.is_cancellable();
         case CommandId::nudge_left:
         case CommandId::nudge_right:
         case CommandId::nudge_down:
@@ -94,6 +94,7 @@ void Workbench::carry_out(CommandId id) {
             selected_ = {};
             return;
         case CommandId::deselect:
+            if (!selected_) return study_.cancel();
             selected_ = {};
             return;
         case CommandId::toggle_snap:

@@ -2,12 +2,16 @@
 
 #include "ui/panels/edit.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <glad/gl.h>
+#include <thread>
 
 namespace hanei {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 constexpr float frame_seconds = 1.0F / 60.0F;
 constexpr int drag_steps = 12;
@@ -43,7 +47,12 @@ Driver::~Driver() {
 void Driver::frames(int count) {
     for (int k = 0; k < count; ++k) {
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+        const auto begun = Clock::now();
         desk_->frame(size_, frame_seconds);
+        if (recorder_ == nullptr) continue;
+        glFinish();
+        const std::chrono::duration<double> passed = Clock::now() - begun;
+        recorder_->note(passed.count(), workbench().study(), recorder_->wants_picture() ? picture() : Image{});
     }
 }
 
@@ -58,7 +67,6 @@ bool Driver::wait_settled(double seconds) {
 }
 
 bool Driver::wait_until(const std::function<bool()>& so, double seconds) {
-    using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     frames(1);
     while (!so()) {
@@ -113,13 +121,21 @@ Driver::Fault Driver::double_click(const std::string& widget) {
     return {};
 }
 
-void Driver::drag_path(ImVec2 from, ImVec2 to) {
+/// In `drag_steps` frames, or paced by the clock when it is to last some seconds.
+void Driver::drag_path(ImVec2 from, ImVec2 to, double seconds) {
     point_at(from.x, from.y);
     button(0, true);
-    for (int k = 1; k <= drag_steps; ++k) {
-        const float share = static_cast<float>(k) / drag_steps;
-        desk_->input().mouse_move(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
+    const auto begun = Clock::now();
+    for (int k = 1;; ++k) {
+        const double passed = std::chrono::duration<double>(Clock::now() - begun).count();
+        const double share = std::min(1.0, seconds > 0.0 ? passed / seconds : static_cast<double>(k) / drag_steps);
+        const auto along = static_cast<float>(share);
+        desk_->input().mouse_move(from.x + along * (to.x - from.x), from.y + along * (to.y - from.y));
         frames(1);
+        if (share >= 1.0) break;
+        if (seconds <= 0.0) continue;
+        const std::chrono::duration<double> next(k * static_cast<double>(frame_seconds));
+        std::this_thread::sleep_until(begun + std::chrono::duration_cast<Clock::duration>(next));
     }
     button(0, false);
 }
@@ -128,7 +144,7 @@ Driver::Fault Driver::drag(const std::string& widget, float dx, float dy) {
     const ScreenRect* rect = workbench().widgets().find(widget);
     if (rect == nullptr) return "there is no widget \"" + widget + "\" on the screen";
     const ImVec2 from = middle(*rect);
-    drag_path(from, {from.x + dx, from.y + dy});
+    drag_path(from, {from.x + dx, from.y + dy}, 0.0);
     return {};
 }
 
@@ -181,7 +197,9 @@ double height_of_tip(const Viewport& viewport, const Vec3& foot, float y) {
 
 }  // namespace
 
-Driver::Fault Driver::drag_object(const std::string& object, const Vec3& by) {
+Driver::Fault Driver::drag_object(const std::string& object, const Vec3& by) { return drag_object(object, by, 0.0); }
+
+Driver::Fault Driver::drag_object(const std::string& object, const Vec3& by, double seconds) {
     const ObjectId id = object_named(*workbench().document().shown(), object);
     if (workbench().chosen() != id) {
         if (Fault fault = click_object(object); !fault.empty()) return fault;
@@ -198,7 +216,7 @@ Driver::Fault Driver::drag_object(const std::string& object, const Vec3& by) {
     const auto from = workbench().viewport().on_screen(grip);
     const auto to = workbench().viewport().on_screen(grip + by);
     if (!from || !to) return "\"" + object + "\" would leave the view";
-    drag_path(*from, *to);
+    drag_path(*from, *to, seconds);
     return place_of(*workbench().document().shown(), id) == start ? "\"" + object + "\" did not move" : Fault{};
 }
 

@@ -4,6 +4,7 @@
 
 #include "ui/view/offscreen.h"
 #include "ui/window/desk.h"
+#include "ui/window/recorder.h"
 
 #include <condition_variable>
 #include <functional>
@@ -44,6 +45,8 @@ public:
     Fault click_object(const std::string& object);              ///< in the view
     Fault point_at_object(const std::string& object);
     Fault drag_object(const std::string& object, const Vec3& by);  ///< metres: in the plan, or by the z arrow
+    /// The same within `seconds` of real time, 60 frames a second if they can be had, as a hand does it.
+    Fault drag_object(const std::string& object, const Vec3& by, double seconds);
     Fault press(std::string_view chord);
     void type(std::string_view text);
     void wheel(float notches);
@@ -54,10 +57,13 @@ public:
 
     Image picture() const;  ///< of the last frame
 
+    /// Notes every frame from here on; null: no more.
+    void record(Recorder* recorder) { recorder_ = recorder; }
+
 private:
     std::optional<ImVec2> object_on_screen(const std::string& object) const;
     void run_queue();
-    void drag_path(ImVec2 from, ImVec2 to);
+    void drag_path(ImVec2 from, ImVec2 to, double seconds);
 
     std::mutex mutex_;
     std::condition_variable wakes_;
@@ -67,6 +73,7 @@ private:
     unsigned framebuffer_ = 0;
     unsigned colour_ = 0;
     std::unique_ptr<Desk> desk_;
+    Recorder* recorder_ = nullptr;
 };
 
 }  // namespace hanei

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <ostream>
 #include <sstream>
 #include <vector>
@@ -44,6 +45,9 @@ std::optional<double> figure_of(const std::string& word) {
 class Player {
 public:
     Player(Driver& driver, std::ostream& out) : driver_(driver), out_(out) {}
+    ~Player() { driver_.record(nullptr); }
+    Player(const Player&) = delete;
+    Player& operator=(const Player&) = delete;
 
     Fault play(const Words& words) {
         const std::string& verb = words[0];
@@ -55,6 +59,8 @@ public:
         if (verb == "point") return point(words);
         if (verb == "drag") return drag(words);
         if (verb == "drop") return drop(words);
+        if (verb == "record") return record(words);
+        if (is("report", 2) && words[1] == "latency") return report();
         if (is("key", 2)) return driver_.press(words[1]);
         if (is("type", 2)) return driver_.type(words[1]), Fault{};
         if (is("wait", 2)) return wait(words[1]);
@@ -82,17 +88,21 @@ private:
     }
 
     Fault drag(const Words& words) {
-        const bool object = words.size() == 7 && words[1] == "object";
+        const bool timed = words.size() == 9 && words[7] == "in";
+        const bool object = (words.size() == 7 || timed) && words[1] == "object";
         const std::size_t by = object ? 3 : 2;
-        if (words.size() != (object ? 7U : 5U) || words[by] != "by")
-            return "drag wants WIDGET by DX DY, or object NAME by DX DY DZ";
+        const std::size_t end = by + (object ? 4 : 3);
+        if (words.size() != end + (object && timed ? 2 : 0) || words[by] != "by")
+            return "drag wants WIDGET by DX DY, or object NAME by DX DY DZ [in SECONDS]";
         Vec3 figures{0.0};
-        for (std::size_t k = by + 1; k < words.size(); ++k) {
+        for (std::size_t k = by + 1; k < end; ++k) {
             const auto figure = figure_of(words[k]);
             if (!figure) return "\"" + words[k] + "\" is no figure";
             figures[static_cast<int>(k - by - 1)] = *figure;
         }
-        if (object) return driver_.drag_object(words[2], figures);
+        const auto seconds = timed ? figure_of(words.back()) : std::optional(0.0);
+        if (!seconds || *seconds < 0.0) return "\"" + words.back() + "\" is no time in seconds";
+        if (object) return driver_.drag_object(words[2], figures, *seconds);
         return driver_.drag(words[1], static_cast<float>(figures.x), static_cast<float>(figures.y));
     }
 
@@ -105,6 +115,23 @@ private:
         const auto y = figure_of(last);
         if (!x || !y) return "drop wants FILE... X Y, or FILE... object NAME";
         driver_.drop(std::move(files), static_cast<float>(*x), static_cast<float>(*y));
+        return {};
+    }
+
+    Fault record(const Words& words) {
+        const auto every = words.size() == 4 && words[2] == "every" ? figure_of(words[3]) : std::nullopt;
+        if (!every || *every < 1.0 || *every > 1e6) return "record wants FOLDER every N, N a number of frames";
+        recorder_ = std::make_unique<Recorder>(words[1], static_cast<int>(*every));
+        driver_.record(recorder_.get());
+        return {};
+    }
+
+    Fault report() {
+        if (!recorder_) return "nothing was recorded";
+        driver_.record(nullptr);
+        out_ << recorder_->report();
+        recorder_->write();
+        recorder_.reset();
         return {};
     }
 
@@ -158,6 +185,7 @@ private:
     Driver& driver_;
     std::ostream& out_;
     std::map<std::string, std::string> remembered_;
+    std::unique_ptr<Recorder> recorder_;
 };
 
 }  // namespace

@@ -6,12 +6,15 @@
 ///     point WIDGET | point object NAME | point X Y
 ///     drag WIDGET by DX DY          pixels
 ///     drag object NAME by DX DY DZ  metres: in the plan, or up with the z arrow
+///     drag object NAME by DX DY DZ in SECONDS    by the clock, 60 frames a second if they can be had
 ///     drop FILE... X Y | drop FILE... object NAME
 ///     wheel NOTCHES
 ///     key CHORD                     Ctrl+Z, Delete, F1
 ///     type TEXT
 ///     wait converged | wait exact | wait FRAMES
 ///     shot FILE.png                 the whole window
+///     record FOLDER every N         a picture of every Nth frame from here to the report
+///     report latency                how long frames and answers took since `record`; writes its pictures
 ///     print state | print widgets | print NAME
 ///     expect NAME VALUE [within TOLERANCE]
 ///     remember NAME                 then: expect-changed NAME, expect-same NAME

@@ -1,0 +1,93 @@
+#include "ui/panels/edit.h"
+#include "ui/panels/panel_frame.h"
+#include "ui/panels/probe.h"
+#include "ui/panels/style.h"
+#include "ui/panels/workbench.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace hanei {
+namespace {
+
+struct Status {
+    ImU32 light = style::quiet_text;
+    std::string text = "Nothing computed yet";
+};
+
+std::string bound_of(const Solution& solution) {
+    return fmt::format("iteration error ≤ {} lx", short_figure(solution.iteration_bound));
+}
+
+/// "0.3 s old"; so that it does not flicker, in steps that grow with it.
+std::string age_text(double seconds) {
+    if (seconds < 10.0) return fmt::format("{:.1f} s old", seconds);
+    if (seconds < 120.0) return fmt::format("{:.0f} s old", seconds);
+    return fmt::format("{:.0f} min old", seconds / 60.0);
+}
+
+Status answered(const Solution& solution) {
+    const bool as_set = !solution.converged && solution.bounces >= solution.settings.bounces;
+    const std::string_view end = solution.converged ? "Converged"
+                                 : as_set           ? "Ended after the bounces that are set"
+                                                    : "Not converged";
+    const std::string text = fmt::format("{} · {} interreflections · {}", end, solution.bounces, bound_of(solution));
+    return {solution.converged || as_set ? style::good : style::warning, text};
+}
+
+/// What is being worked out, how far it is, and what the values on the screen are worth meanwhile.
+Status under_way(const LiveStudy& study, bool timed, bool stops_on_escape) {
+    Status status{style::accent, "Computing"};
+    const Stage stage = study.progress().stage();
+    if (stage != Stage::idle && stage != Stage::done) status.text += fmt::format(" · {}", name_of(stage));
+    const double share = static_cast<double>(study.progress().fraction());
+    if (share > 0.0) status.text += fmt::format(" {:.0f} %", 100.0 * share);
+    if (study.answer()) {
+        status.text +=
+            timed ? fmt::format(" · values {}", age_text(study.answer_age())) : std::string(" · values of before");
+        status.text += " · " + bound_of(*study.answer());
+    }
+    if (stops_on_escape && study.is_cancellable()) status.text += " · Esc stops";
+    return status;
+}
+
+Status status_of(const LiveStudy& study, bool timed, bool stops_on_escape) {
+    if (study.fault() != nullptr) return {style::warning, study.fault()->message};
+    if (study.fresh()) return answered(*study.solution());
+    if (study.is_cancelled())
+        return {style::warning, "Stopped · the values are those of before · any change computes anew"};
+    if (study.busy()) return under_way(study, timed, stops_on_escape);
+    return {};
+}
+
+}  // namespace
+
+void Workbench::status_line(const ScreenRect& area) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12.0F * style::scale(), 6.0F * style::scale()});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);
+    begin_panel("##status", area);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    const Status status = status_of(study_, !how_.repeatable, !selected_);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float radius = 4.0F * style::scale();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, at.y + 0.5F * ImGui::GetTextLineHeight()}, radius,
+                                                status.light);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 3.5F * radius);
+    ImGui::TextUnformatted(status.text.c_str());
+    widgets_.note("status");
+    std::string right = message_;
+    if (const auto place = place_of(*document_.shown(), selected_)) {
+        right += fmt::format("{}{}  x {:.2f}  y {:.2f}  z {:.2f} m", right.empty() ? "" : "     ",
+                             display_name(*document_.shown(), selected_), place->x, place->y, place->z);
+    }
+    right += snaps_ ? "     Snap 0.1 m" : "     Free";
+    const float width = ImGui::CalcTextSize(right.c_str()).x;
+    ImGui::SameLine(
+        std::max(ImGui::GetItemRectMax().x + 24.0F, area.right - area.left - width - 14.0F * style::scale()));
+    ImGui::TextColored(style::colour(style::quiet_text), "%s", right.c_str());
+    end_panel();
+}
+
+}  // namespace hanei
