@@ -147,9 +147,17 @@ void add_plan(CLI::App& app, Arguments& arguments) {
 
 void add_study(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("study", "Accuracy against time: methods and patch widths on this scene");
-    add_project(*command, arguments.study.project);
+    command
+        ->add_option("PROJECT", arguments.study.project,
+                     "Project file (.hanei): errors against a finest run of method linear. Or a reference case "
+                     "(.json): errors against its expected values, for each set of its points")
+        ->required();
     command->add_option("--out", arguments.study.out, "Folder for accuracy-time.csv and .svg")->required();
     arguments.common.add_to(*command);
+    command->footer(
+        "Every method runs with patches of 4, 2, 1 and 1/2 times --max-patch, linear of twice these, paper with "
+        "ten interreflections at most; "
+        "--method has no effect.");
 }
 
 void add_check(CLI::App& app, Arguments& arguments) {

@@ -1,29 +1,70 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/reference_scene.h"
 #include "engine/report/sweep_report.h"
-#include "engine/study/study.h"
 
 #include <cstdio>
 #include <filesystem>
 
 namespace hanei {
 
-int study_command(const SweepRequest& request) {
-    auto project = open_project(request.project);
-    if (!project) return exit_bad_input;
-    request.change(project->settings);
+namespace {
+
+/// What is swept, from a project or from a reference case.
+struct Swept {
+    SceneSnapshot scene;
+    Settings settings;
+    std::optional<SweepExpected> expected;
+    std::string title;
+};
+
+std::optional<Swept> from_project(const std::filesystem::path& file) {
+    auto project = open_project(file);
+    if (!project) return std::nullopt;
     if (project->scene.points.empty() && project->scene.grids.empty()) {
-        std::fprintf(stderr, "%s: there are no calculation grids or points to compare at\n", request.project.c_str());
-        return exit_bad_input;
+        std::fprintf(stderr, "%s: there are no calculation grids or points to compare at\n", file.c_str());
+        return std::nullopt;
     }
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
-    const auto points = accuracy_sweep(scene, project->settings, Work{});
+    return Swept{scene, project->settings, std::nullopt, scene->title};
+}
+
+/// The first case of the file that can be computed and has points.
+std::optional<Swept> from_reference(const std::filesystem::path& file) {
+    const ReferenceRead read = read_reference(file);
+    print_findings(read.findings);
+    if (has_errors(read.findings)) return std::nullopt;
+    for (const ReferenceCase& reference : read.cases) {
+        if (!reference.unsupported.empty() || reference.points.empty()) continue;
+        constexpr double unknowns = 1000.0;  // at the middle width
+        Swept swept{scene_with_points(reference), {}, SweepExpected{}, reference.id};
+        swept.settings.max_patch = suitable_patch(reference.scene, unknowns);
+        swept.expected->source = "the expected values of " + reference.id;
+        for (const ReferencePoint& point : reference.points) {
+            swept.expected->lux.push_back(point.expected);
+            swept.expected->sets.push_back(point.set.empty() ? "points" : point.set);
+        }
+        return swept;
+    }
+    std::fprintf(stderr, "%s: no case here has points that can be computed\n", file.c_str());
+    return std::nullopt;
+}
+
+}  // namespace
+
+int study_command(const SweepRequest& request) {
+    auto swept =
+        request.project.extension() == ".json" ? from_reference(request.project) : from_project(request.project);
+    if (!swept) return exit_bad_input;
+    request.change(swept->settings);
+    const Sweep sweep =
+        accuracy_sweep(swept->scene, swept->settings, swept->expected ? &*swept->expected : nullptr, Work{});
     std::filesystem::create_directories(request.out);
-    const std::string csv = sweep_csv(points);
+    const std::string csv = sweep_csv(sweep);
     std::fputs(csv.c_str(), stdout);
     write_text(request.out / "accuracy-time.csv", csv);
-    write_text(request.out / "accuracy-time.svg", sweep_svg(points, scene->title));
+    write_text(request.out / "accuracy-time.svg", sweep_svg(sweep, swept->title));
     return exit_done;
 }
 

@@ -1,10 +1,8 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/reference_scene.h"
 #include "app/verdict.h"
-#include "engine/geometry/polygon.h"
-#include "engine/project/reference_case.h"
-#include "engine/scene/faces.h"
 #include "engine/study/study.h"
 
 #include <chrono>
@@ -17,13 +15,6 @@ namespace hanei {
 namespace {
 
 constexpr double unknowns_aimed_at = 2000.0;  // keeps a case within a second or two
-
-/// A patch width that cuts the case's reflecting faces into about `unknowns_aimed_at` patches.
-double suitable_patch(const Scene& scene) {
-    double area = 0.0;
-    for (const Face& face : faces_of(scene)) area += glm::length(vector_area(face.region));
-    return area > 0.0 ? std::sqrt(area / unknowns_aimed_at) : 1.0;
-}
 
 double mean_of_face(const Solution& solution, ObjectId surface) {
     const auto found = solution.face_means.find(SurfaceRef{surface, 0});
@@ -59,21 +50,11 @@ std::vector<Judged> judged_form_factors(const ReferenceCase& reference) {
     return judged;
 }
 
-/// The case's points become calculation points of its scene, so that the usual door computes them.
-SceneSnapshot scene_with_points(const ReferenceCase& reference) {
-    Scene scene = reference.scene;
-    scene.grids.clear();
-    scene.points.clear();
-    for (const ReferencePoint& point : reference.points)
-        scene.points.push_back({scene.new_id(), point.id, point.position, glm::normalize(point.normal), {}});
-    return std::make_shared<const Scene>(std::move(scene));
-}
-
 CaseVerdict run_case(const ReferenceCase& reference, const ValidateRequest& request) {
     CaseVerdict verdict{reference.id, reference.category, reference.unsupported, {}, 0.0, 0};
     if (!reference.unsupported.empty()) return verdict;
     Settings settings;
-    settings.max_patch = suitable_patch(reference.scene);
+    settings.max_patch = suitable_patch(reference.scene, unknowns_aimed_at);
     settings.accuracy = 1e-7;
     settings.bounces = 100'000;
     request.change(settings);

@@ -1,6 +1,7 @@
 #include "engine/report/sweep_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -8,7 +9,19 @@ namespace hanei {
 
 namespace {
 
-constexpr double width = 860, height = 560, left = 90, right = 40, top = 70, bottom = 70;
+// Pixels. Three panels a row; the legend above them, the time axis below each.
+constexpr double panel_width = 290, panel_height = 210, left = 96, between = 30, top = 138, row_height = 280;
+constexpr double right = 30, bottom = 14;
+constexpr double total_width = left + 3 * panel_width + 2 * between + right;
+constexpr const char* quiet = "#68707c";
+constexpr double highest = 1000.0;  // percent: what is more is drawn there
+
+struct Figure {
+    const char* name;
+    double SweepErrors::*of;
+};
+constexpr std::array figures{Figure{"mean error", &SweepErrors::mean}, Figure{"95th percentile", &SweepErrors::p95},
+                             Figure{"greatest error", &SweepErrors::max}};
 
 /// A logarithmic axis of whole decades onto pixels.
 struct Axis {
@@ -22,29 +35,58 @@ struct Axis {
         if (high_decade <= low_decade) high_decade = low_decade + 1.0;
     }
     double at(double value) const {
-        return from + (std::log10(value) - low_decade) / (high_decade - low_decade) * (to - from);
+        const double share = (std::log10(value) - low_decade) / (high_decade - low_decade);
+        return from + std::clamp(share, 0.0, 1.0) * (to - from);
     }
 };
 
-std::string decade_text(double value) {
-    return value >= 1.0 ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value);
+/// Ends of both axes over all panels.
+struct Range {
+    double fastest = 1e30, slowest = 0.0, least = 1e30, greatest = 0.0;
+};
+
+Range range_of(const Sweep& sweep) {
+    Range range;
+    for (const SweepPoint& point : sweep.points) {
+        range.fastest = std::min(range.fastest, point.milliseconds);
+        range.slowest = std::max(range.slowest, point.milliseconds);
+        for (const SweepErrors& errors : point.errors) {
+            for (const Figure& figure : figures) {
+                const double percent = 100.0 * errors.*figure.of;
+                if (!(percent > 0.0)) continue;
+                range.least = std::min(range.least, percent);
+                range.greatest = std::max(range.greatest, std::min(highest, percent));
+            }
+        }
+    }
+    if (!(range.greatest > 0.0)) range.least = 0.1, range.greatest = 1.0;
+    if (!(range.slowest > 0.0)) range.fastest = 1.0, range.slowest = 10.0;
+    return range;
 }
 
-std::string grid_lines(const Axis& x, const Axis& y) {
+std::string decade_text(double value, const char* unit) {
+    return (value >= 1.0 ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value)) + unit;
+}
+
+std::string grid_lines(const Axis& x, const Axis& y, bool with_errors) {
     std::string svg;
     for (double decade = x.low_decade; decade <= x.high_decade; ++decade) {
         const double at = x.at(std::pow(10.0, decade));
-        svg += fmt::format("<line x1='{0:.1f}' y1='{1}' x2='{0:.1f}' y2='{2}' stroke='#d8dce2'/>\n", at, top,
-                           height - bottom);
-        svg += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>{}</text>\n", at, height - bottom + 22,
-                           decade_text(std::pow(10.0, decade)));
+        svg += fmt::format("<line x1='{0:.1f}' y1='{1:.1f}' x2='{0:.1f}' y2='{2:.1f}' stroke='#d8dce2'/>\n", at, y.to,
+                           y.from);
+        const std::string text =
+            decade < 3.0 ? decade_text(std::pow(10.0, decade), " ms") : decade_text(std::pow(10.0, decade - 3.0), " s");
+        const char* anchor = decade == x.low_decade ? "start" : decade == x.high_decade ? "end" : "middle";
+        svg += fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='{}'>{}</text>\n", at, y.from + 20, anchor, text);
     }
     for (double decade = y.low_decade; decade <= y.high_decade; ++decade) {
         const double at = y.at(std::pow(10.0, decade));
-        svg += fmt::format("<line x1='{1}' y1='{0:.1f}' x2='{2}' y2='{0:.1f}' stroke='#d8dce2'/>\n", at, left,
-                           width - right);
-        svg += fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{}</text>\n", left - 10, at + 4,
-                           decade_text(std::pow(10.0, decade)));
+        svg += fmt::format("<line x1='{1:.1f}' y1='{0:.1f}' x2='{2:.1f}' y2='{0:.1f}' stroke='#d8dce2'/>\n", at, x.from,
+                           x.to);
+        const double percent = std::pow(10.0, decade);
+        if (with_errors)
+            svg += fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='end'>{}</text>\n", x.from - 8, at + 4,
+                               (percent < highest ? "" : "≥ ") + decade_text(percent, " %"));
     }
     return svg;
 }
@@ -63,70 +105,94 @@ const char* colour_of(Method method) {
     return "#2b313b";
 }
 
-std::string method_line(const std::vector<SweepPoint>& points, Method method, const char* colour, const Axis& x,
-                        const Axis& y) {
-    std::string path, marks;
-    for (const SweepPoint& point : points) {
-        if (point.method != method || !(point.mean_error > 0.0)) continue;
-        const double at_x = x.at(point.milliseconds), at_y = y.at(100.0 * point.mean_error);
-        path += fmt::format("{}{:.1f},{:.1f} ", path.empty() ? "M" : "L", at_x, at_y);
-        marks += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='5' fill='{}'/>\n", at_x, at_y, colour);
-        marks += fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='12' fill='{}'>{:g} m</text>\n", at_x + 9, at_y - 8,
-                             colour, point.max_patch);
-    }
-    return fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='2'/>\n", path, colour) + marks;
-}
-
 std::string escaped(const std::string& text) {
     std::string safe;
     for (const char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
     return safe;
 }
 
+std::string method_line(const Sweep& sweep, std::size_t set, const Figure& figure, Method method, const Axis& x,
+                        const Axis& y) {
+    std::string path, marks;
+    for (const SweepPoint& point : sweep.points) {
+        if (point.method != method || set >= point.errors.size()) continue;
+        const double percent = 100.0 * point.errors[set].*figure.of;
+        if (!(percent > 0.0)) continue;
+        const double at_x = x.at(point.milliseconds), at_y = y.at(percent);
+        path += fmt::format("{}{:.1f},{:.1f} ", path.empty() ? "M" : "L", at_x, at_y);
+        marks += fmt::format(
+            "<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}'><title>{}, patches of {:.3g} m, {} unknowns: {:.3g} % in "
+            "{:.3g} ms</title></circle>\n",
+            at_x, at_y, colour_of(method), name_of(method), point.max_patch, point.unknowns, percent,
+            point.milliseconds);
+    }
+    return fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='2'/>\n", path, colour_of(method)) + marks;
+}
+
+/// Each method with the widths of its markers.
+std::string legend(const Sweep& sweep) {
+    std::string svg;
+    double at = left;
+    for (const Method method : methods) {
+        std::string widths;
+        for (const SweepPoint& point : sweep.points)
+            if (point.method == method)
+                widths += (widths.empty() ? "" : " · ") + fmt::format("{:.2g}", point.max_patch);
+        svg += fmt::format("<circle cx='{:.1f}' cy='82' r='5' fill='{}'/>", at + 5, colour_of(method));
+        svg += fmt::format("<text x='{:.1f}' y='87' fill='{}' font-weight='600'>{}</text>\n", at + 17,
+                           colour_of(method), name_of(method));
+        svg += fmt::format("<text x='{:.1f}' y='104' fill='{}' font-size='12'>{} m</text>\n", at + 17, quiet, widths);
+        at += 0.25 * (total_width - left - right);
+    }
+    return svg;
+}
+
 }  // namespace
 
-std::string sweep_csv(const std::vector<SweepPoint>& points) {
-    std::string text = "method,max_patch_m,unknowns,time_ms,mean_error_percent,p95_error_percent,max_error_percent\n";
-    for (const SweepPoint& point : points)
-        text += fmt::format("{},{},{},{:.2f},{:.5f},{:.5f},{:.5f}\n", name_of(point.method), point.max_patch,
-                            point.unknowns, point.milliseconds, 100 * point.mean_error, 100 * point.p95_error,
-                            100 * point.max_error);
+std::string sweep_csv(const Sweep& sweep) {
+    std::string text =
+        "method,max_patch_m,unknowns,time_ms,set,mean_error_percent,p95_error_percent,max_error_percent\n";
+    for (const SweepPoint& point : sweep.points) {
+        for (const SweepErrors& errors : point.errors) {
+            std::string set = errors.set;
+            std::replace_if(
+                set.begin(), set.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, ' ');
+            text += fmt::format("{},{:.6g},{},{:.2f},{},{:.6g},{:.6g},{:.6g}\n", name_of(point.method), point.max_patch,
+                                point.unknowns, point.milliseconds, set, 100 * errors.mean, 100 * errors.p95,
+                                100 * errors.max);
+        }
+    }
     return text;
 }
 
-std::string sweep_svg(const std::vector<SweepPoint>& points, const std::string& title) {
-    double fastest = 1e30, slowest = 0.0, best = 1e30, worst = 0.0;
-    for (const SweepPoint& point : points) {
-        fastest = std::min(fastest, point.milliseconds);
-        slowest = std::max(slowest, point.milliseconds);
-        if (!(point.mean_error > 0.0)) continue;
-        best = std::min(best, 100.0 * point.mean_error);
-        worst = std::max(worst, 100.0 * point.mean_error);
-    }
-    if (!(worst > 0.0)) best = 0.1, worst = 1.0;
-    if (!(slowest > 0.0)) fastest = 1.0, slowest = 10.0;
-    const Axis x(fastest, slowest, left, width - right), y(best, worst, height - bottom, top);
+std::string sweep_svg(const Sweep& sweep, const std::string& title) {
+    std::vector<std::string> sets;
+    if (!sweep.points.empty())
+        for (const SweepErrors& errors : sweep.points.front().errors) sets.push_back(errors.set);
+    const double height = top + row_height * static_cast<double>(std::max<std::size_t>(1, sets.size())) + bottom;
     std::string svg = fmt::format(
         "<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}' "
-        "font-family='Inter, DejaVu Sans, sans-serif' font-size='14' fill='#2b313b'>\n"
+        "font-family='Inter, DejaVu Sans, sans-serif' font-size='13' fill='#2b313b'>\n"
         "<rect width='100%' height='100%' fill='white'/>\n",
-        width, height);
+        total_width, height);
     svg += fmt::format("<text x='{}' y='32' font-size='18'>{}: accuracy against time</text>\n", left, escaped(title));
     svg += fmt::format(
-        "<text x='{}' y='54' font-size='13' fill='#68707c'>mean error at all calculation points, percent of "
-        "the mean illuminance, against the finest patch solution</text>\n",
-        left);
-    svg += grid_lines(x, y);
-    svg += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>time, ms (cold start)</text>\n",
-                       0.5 * (left + width - right), height - 20);
-    svg += fmt::format("<text transform='translate(24 {:.1f}) rotate(-90)' text-anchor='middle'>mean error, %</text>\n",
-                       0.5 * (top + height - bottom));
-    double line = top + 20;
-    for (const Method method : methods) {
-        svg += method_line(points, method, colour_of(method), x, y);
-        svg += fmt::format("<text x='{}' y='{}' fill='{}' text-anchor='end'>{}</text>\n", width - right - 12, line,
-                           colour_of(method), name_of(method));
-        line += 20;
+        "<text x='{}' y='54' fill='{}'>errors in percent of the value, against {}; time from a cold start to every "
+        "value</text>\n",
+        left, quiet, escaped(sweep.against));
+    svg += legend(sweep);
+    const Range range = range_of(sweep);
+    for (std::size_t set = 0; set < sets.size(); ++set) {
+        const double upper = top + row_height * static_cast<double>(set) + 20;
+        for (std::size_t column = 0; column < figures.size(); ++column) {
+            const double from = left + (panel_width + between) * static_cast<double>(column);
+            const Axis x(range.fastest, range.slowest, from, from + panel_width);
+            const Axis y(range.least, range.greatest, upper + panel_height, upper);
+            svg += fmt::format("<text x='{:.1f}' y='{:.1f}' font-weight='600'>{}: {}</text>\n", from, upper - 9,
+                               escaped(sets[set] == "all" ? "all points" : sets[set]), figures[column].name);
+            svg += grid_lines(x, y, column == 0);
+            for (const Method method : methods) svg += method_line(sweep, set, figures[column], method, x, y);
+        }
     }
     return svg + "</svg>\n";
 }

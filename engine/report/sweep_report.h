@@ -1,17 +1,18 @@
 /// Accuracy against time, as CSV and as a plot.
 #pragma once
 
-#include "engine/study/study.h"
+#include "engine/study/sweep.h"
 
 #include <string>
-#include <vector>
 
 namespace hanei {
 
-std::string sweep_csv(const std::vector<SweepPoint>& points);
+/// One row a run and set of points.
+std::string sweep_csv(const Sweep& sweep);
 
-/// A log-log plot as SVG: time across, mean error up, one line a method, every point labelled with
-/// its patch width.
-std::string sweep_svg(const std::vector<SweepPoint>& points, const std::string& title);
+/// Log-log plots as SVG: time across, error up, one line a method, each marker with its figures as a tool
+/// tip. Side by side mean error, 95th percentile and greatest; a row of three for each set of points.
+/// Errors above 1000 % are drawn at the upper edge.
+std::string sweep_svg(const Sweep& sweep, const std::string& title);
 
 }  // namespace hanei

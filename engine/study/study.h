@@ -46,17 +46,4 @@ PointValue value_at(const Solution& solution, const Vec3& position, const Vec3& 
 /// Form factor between two regions past the scene's occluders (for reference cases).
 double form_factor_between(const Scene& scene, const Region& from, const Region& to);
 
-/// One run of an accuracy-time sweep.
-struct SweepPoint {
-    Method method = Method::patch;
-    double max_patch = 0.0;  ///< m
-    std::size_t unknowns = 0;
-    double milliseconds = 0.0;
-    double mean_error = 0.0;  ///< share of the mean illuminance, against the finest run
-    double p95_error = 0.0;
-    double max_error = 0.0;
-};
-/// Patch widths x methods, errors at the scene's grids and points against the finest `patch` run.
-std::vector<SweepPoint> accuracy_sweep(SceneSnapshot scene, const Settings& settings, const Work& work);
-
 }  // namespace hanei
