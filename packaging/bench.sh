@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bench.sh OUT.csv [FILTER]: builds a release and times the kernels and the shadows into OUT.csv, one
-# row a case; FILTER (a regular expression) runs only the cases whose name it matches.
+# bench.sh OUT.csv [FILTER]: builds a release and times kernels, shadows and whole studies into
+# OUT.csv, one row a case; FILTER (a regular expression) runs only the cases whose name it matches.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 out=$(realpath -m "${1:?bench.sh OUT.csv [FILTER]}")

@@ -1,7 +1,7 @@
 /// Rows of unobstructed coefficients: a receiver and a patch, of an empty room and of one with desks.
 #include "engine/transport/factor_rows.h"
+#include "tests/bench/office.h"
 #include "tests/bench/row.h"
-#include "tests/unit/mesh/sample_scenes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,6 @@ namespace {
 constexpr std::size_t side_by_side = 16;
 
 double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-Scene room_with_desks() {
-    Scene scene = sample::box_room(6.0, 4.0, 3.0);
-    for (const double x : {1.5, 4.2}) {
-        for (const double y : {1.0, 2.9}) sample::add_table(scene, {x, y, 0.0}, 0.3 * x);
-    }
-    return scene;
-}
 
 /// Seconds a pair of exact form factors, for one receiver in a hundred.
 double exact_seconds(const Mesh& mesh, const Nodes& nodes) {
