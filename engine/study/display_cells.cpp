@@ -45,18 +45,17 @@ private:
     void add_pieces(std::uint32_t patch_number);
     bool light_new_vertices();
     bool is_cut(const Cell& cell) const;
-    bool is_noticeable(float difference, float darkest) const;
     bool bends(const Cell& cell) const;
     bool misses_a_neighbour(const Cell& cell) const;
+    void make_middles(const Cell& cell, double um, double vm);
     void split(const Cell& cell, std::vector<Cell>& finer);
 
     const CutInput& input_;
     const Mesh& mesh_;
     DisplayCut made_;
     std::vector<std::uint32_t> vertex_at_;  ///< a place's vertex in this cut
-    std::vector<float> direct_;             ///< lx, of the vertices that are lit
     std::vector<Cell> cells_;
-    float brightest_ = 0.0F;
+    DisplayParents parents_;  ///< of vertices that are being made
     double grain_ = 1e-6;
 };
 
@@ -78,6 +77,7 @@ std::uint32_t Cutter::vertex(const Cell& cell, double u, double v) {
     vertex_at_[number] = static_cast<std::uint32_t>(made_.places.size());
     made_.places.push_back(number);
     made_.sources.push_back({cell.among, u, v});
+    made_.parents.push_back(parents_);
     return vertex_at_[number];
 }
 
@@ -106,22 +106,19 @@ void Cutter::add_pieces(std::uint32_t patch_number) {
 }
 
 bool Cutter::light_new_vertices() {
-    const auto lit = input_.light(std::span(made_.places).subspan(direct_.size()));
+    const auto lit = input_.light(std::span(made_.places).subspan(made_.direct.size()));
     if (!lit) return false;
-    for (const float lux : *lit) brightest_ = std::max(brightest_, lux);
-    direct_.insert(direct_.end(), lit->begin(), lit->end());
+    for (const float lux : *lit) made_.brightest = std::max(made_.brightest, lux);
+    made_.direct.insert(made_.direct.end(), lit->begin(), lit->end());
+    made_.rounds.push_back(made_.places.size());
     return true;
-}
-
-bool Cutter::is_noticeable(float difference, float darkest) const {
-    return difference > std::max(noticeable_share * darkest, noticeable_of_brightest * brightest_);
 }
 
 bool Cutter::bends(const Cell& cell) const {
     std::array<float, 4> corner{};
-    for (std::size_t c = 0; c < 4; ++c) corner[c] = direct_[cell.drawn.corner[c]];
+    for (std::size_t c = 0; c < 4; ++c) corner[c] = made_.direct[cell.drawn.corner[c]];
     const auto [low, high] = std::minmax_element(corner.begin(), corner.end());
-    return is_noticeable(*high - *low, *low);
+    return is_noticeable(*high - *low, *low, made_.brightest);
 }
 
 /// A finer neighbour found light or shadow in the middle of an edge that the ends of the edge know nothing of.
@@ -134,11 +131,12 @@ bool Cutter::misses_a_neighbour(const Cell& cell) const {
         const auto known = input_.places->find(face.ref, {place, face.normal, {}}, grain_);
         if (!known || *known >= vertex_at_.size()) continue;
         const std::uint32_t found = vertex_at_[*known];
-        if (found >= direct_.size()) continue;  // not of this cut, or made in this round: not lit yet
-        const float from = direct_[cell.drawn.corner[edge]];
-        const float to = direct_[cell.drawn.corner[(edge + 1) % 4]];
+        if (found >= made_.direct.size()) continue;  // not of this cut, or made in this round: not lit yet
+        const float here = made_.direct[found];
+        const float from = made_.direct[cell.drawn.corner[edge]];
+        const float to = made_.direct[cell.drawn.corner[(edge + 1) % 4]];
         const float drawn = 0.5F * (from + to);
-        if (is_noticeable(std::abs(direct_[found] - drawn), std::min(direct_[found], drawn))) return true;
+        if (is_noticeable(std::abs(here - drawn), std::min(here, drawn), made_.brightest)) return true;
     }
     return false;
 }
@@ -149,12 +147,26 @@ bool Cutter::is_cut(const Cell& cell) const {
     return cell.halvings == 0 || bends(cell) || misses_a_neighbour(cell);
 }
 
+/// The middles of the cell's edges and its own.
+void Cutter::make_middles(const Cell& cell, double um, double vm) {
+    const auto corner = [&](std::size_t k) { return cell.drawn.corner[k % 4]; };
+    const std::array<std::array<double, 2>, 4> middle{{{um, cell.v0}, {cell.u1, vm}, {um, cell.v1}, {cell.u0, vm}}};
+    parents_.cell = {corner(0), corner(1), corner(2), corner(3)};
+    for (std::size_t edge = 0; edge < 4; ++edge) {
+        parents_.between = {corner(edge), corner(edge + 1), corner(edge), corner(edge + 1)};
+        vertex(cell, middle[edge][0], middle[edge][1]);
+    }
+    parents_.between = parents_.cell;
+    vertex(cell, um, vm);
+}
+
 void Cutter::split(const Cell& cell, std::vector<Cell>& finer) {
     const double um = 0.5 * (cell.u0 + cell.u1), vm = 0.5 * (cell.v0 + cell.v1);
     const std::array<std::array<double, 4>, 4> quarters{{{cell.u0, cell.v0, um, vm},
                                                          {um, cell.v0, cell.u1, vm},
                                                          {um, vm, cell.u1, cell.v1},
                                                          {cell.u0, vm, um, cell.v1}}};
+    make_middles(cell, um, vm);
     for (const auto& [u0, v0, u1, v1] : quarters) {
         Cell quarter = cell;
         quarter.u0 = u0, quarter.v0 = v0, quarter.u1 = u1, quarter.v1 = v1;
@@ -216,6 +228,11 @@ std::optional<std::uint32_t> DisplayPlaces::find(const SurfaceRef& face, const R
 void DisplayPlaces::clear() {
     known_.clear();
     receivers_.clear();
+}
+
+bool is_noticeable(float difference, float darkest, float brightest) {
+    return difference > std::max(noticeable_share * static_cast<double>(darkest),
+                                 noticeable_of_brightest * static_cast<double>(brightest));
 }
 
 std::optional<DisplayCut> cut_display(const CutInput& input) {

@@ -49,11 +49,24 @@ struct DisplaySource {
     double u = 0.0, v = 0.0;
 };
 
+/// The cell that a vertex was cut from, by its corners, and those of them that it lies in the middle of.
+struct DisplayParents {
+    std::array<std::uint32_t, 4> cell{}, between{};
+};
+
 struct DisplayCut {
     std::vector<DisplayCell> cells;
-    std::vector<std::uint32_t> places;   ///< of the vertices, in DisplayPlaces
-    std::vector<DisplaySource> sources;  ///< one a vertex
+    std::vector<std::uint32_t> places;    ///< of the vertices, in DisplayPlaces
+    std::vector<DisplaySource> sources;   ///< one a vertex
+    std::vector<DisplayParents> parents;  ///< one a vertex; without meaning in the first two rounds
+    std::vector<float> direct;            ///< lx, of the vertices when they were cut
+    float brightest = 0.0F;               ///< of these
+    std::vector<std::size_t> rounds;      ///< vertices after each round: corners of patches, first halves, ...
 };
+
+/// Whether the eye would see the difference, lx, beside the darkest place near by in a room whose brightest
+/// vertex is `brightest`.
+bool is_noticeable(float difference, float darkest, float brightest);
 
 struct CutInput {
     const Mesh* mesh = nullptr;

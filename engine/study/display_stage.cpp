@@ -75,7 +75,10 @@ bool DisplayStage::update(const DisplayInput& input, const Work& work) {
         is_of_the_light_ = cut(input, work);
         if (!is_of_the_light_) return false;
     }
-    if (!light_.light(places_.receivers(), cut_.places, work)) return false;
+    const bool roughly = input.live && !is_of_the_light_;
+    if (roughly ? !light_.light_roughly(places_.receivers(), cut_, work)
+                : !light_.light(places_.receivers(), cut_.places, work))
+        return false;
     if (input.open && !open_light_.light(places_.receivers(), cut_.places, work)) return false;
     reused_ = reused_ && !light_.worked() && !(input.open && open_light_.worked());
     return true;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace hanei {
 
@@ -43,7 +44,11 @@ void VertexLight::forget_shadowed(Kept& kept, std::span<const Receiver> places) 
     const BodyChanges* const changes =
         kept.occluders && occluders_ ? &changes_.between(kept.occluders, occluders_) : nullptr;
     kept.occluders = occluders_;
-    if (!changes || changes->most) return kept.lux.clear();
+    if (!changes || changes->most) {
+        kept.lux.clear();
+        kept.guessed.clear();
+        return;
+    }
     std::vector<BodyIndex> between;
     const std::size_t count = std::min(kept.lux.size(), places.size());
     for (std::size_t first = 0; first < count; first += block) {
@@ -78,6 +83,7 @@ bool VertexLight::follow(const Scene& scene, const std::shared_ptr<const Occlude
                     measured ? std::optional(*measured) : std::nullopt,
                     Emitter(scene, luminaire),
                     occluders,
+                    {},
                     {}};
             changed = true;
         }
@@ -95,24 +101,75 @@ bool VertexLight::follow(const Scene& scene, const std::shared_ptr<const Occlude
     return changed;
 }
 
+bool VertexLight::light_those(Kept& kept, std::span<const Receiver> places, std::span<const std::uint32_t> dark,
+                              const Work& work) {
+    if (dark.empty()) return true;
+    worked_ = true;
+    std::vector<Receiver> receivers;
+    receivers.reserve(dark.size());
+    for (const std::uint32_t k : dark) receivers.push_back(places[k]);
+    const auto lit = direct_estimates(*kept.emitter, receivers, occluders_.get(), accuracy_, work);
+    if (!lit) return false;
+    for (std::size_t k = 0; k < dark.size(); ++k) kept.lux[dark[k]] = static_cast<float>((*lit)[k]);
+    return true;
+}
+
 bool VertexLight::light(std::span<const Receiver> places, std::span<const std::uint32_t> which, const Work& work) {
     std::vector<std::uint32_t> dark;
-    std::vector<Receiver> receivers;
     for (const Shining& shining : shining_) {
-        std::vector<float>& lux = shining.kept->lux;
-        lux.resize(places.size(), unknown);
+        Kept& kept = *shining.kept;
+        kept.lux.resize(places.size(), unknown);
+        for (const std::uint32_t k : kept.guessed) kept.lux[k] = unknown;
+        kept.guessed.clear();
         dark.clear();
-        receivers.clear();
-        for (const std::uint32_t k : which) {
-            if (lux[k] >= 0.0F) continue;
-            dark.push_back(k);
-            receivers.push_back(places[k]);
+        for (const std::uint32_t k : which)
+            if (kept.lux[k] < 0.0F) dark.push_back(k);
+        if (!light_those(kept, places, dark, work)) return false;
+    }
+    return !work.stop.stop_requested();
+}
+
+/// From the corners of the vertex's cell; where they differ too much, it is one of the dark.
+void VertexLight::guess(const Shining& shining, const DisplayCut& cut, std::size_t vertex,
+                        std::vector<std::uint32_t>& dark) const {
+    std::vector<float>& lux = shining.kept->lux;
+    const DisplayParents& parents = cut.parents[vertex];
+    float low = std::numeric_limits<float>::infinity(), high = 0.0F, darkest = low, middle = 0.0F;
+    for (std::size_t c = 0; c < 4; ++c) {
+        const float here = lux[cut.places[parents.cell[c]]];
+        low = std::min(low, here);
+        high = std::max(high, here);
+        darkest = std::min(darkest, cut.direct[parents.cell[c]]);
+        middle += 0.25F * lux[cut.places[parents.between[c]]];
+    }
+    const std::uint32_t place = cut.places[vertex];
+    if (is_noticeable(static_cast<float>(shining.share) * (high - low), darkest, cut.brightest)) {
+        dark.push_back(place);
+    } else {
+        lux[place] = middle;
+        shining.kept->guessed.push_back(place);
+    }
+}
+
+bool VertexLight::light_roughly(std::span<const Receiver> places, const DisplayCut& cut, const Work& work) {
+    constexpr std::size_t lit_rounds = 2;  // a shadow inside a patch may leave all its corners lit
+    std::vector<std::uint32_t> dark;
+    for (const Shining& shining : shining_) {
+        shining.kept->lux.resize(places.size(), unknown);
+        std::size_t vertex = 0;
+        for (std::size_t round = 0; round < cut.rounds.size(); ++round) {
+            dark.clear();
+            for (; vertex < cut.rounds[round]; ++vertex) {
+                const std::uint32_t place = cut.places[vertex];
+                if (shining.kept->lux[place] >= 0.0F) continue;
+                if (round < lit_rounds) {
+                    dark.push_back(place);
+                } else {
+                    guess(shining, cut, vertex, dark);
+                }
+            }
+            if (!light_those(*shining.kept, places, dark, work)) return false;
         }
-        if (dark.empty()) continue;
-        worked_ = true;
-        const auto lit = direct_estimates(*shining.kept->emitter, receivers, occluders_.get(), accuracy_, work);
-        if (!lit) return false;
-        for (std::size_t k = 0; k < dark.size(); ++k) lux[dark[k]] = static_cast<float>((*lit)[k]);
     }
     return true;
 }
@@ -123,7 +180,10 @@ void VertexLight::forget(std::uint32_t place) {
 }
 
 void VertexLight::clear() {
-    for (auto& [id, kept] : kept_) kept.lux.clear();
+    for (auto& [id, kept] : kept_) {
+        kept.lux.clear();
+        kept.guessed.clear();
+    }
 }
 
 double VertexLight::total(std::uint32_t place) const {

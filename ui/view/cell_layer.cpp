@@ -56,6 +56,19 @@ std::vector<float> shader_array(const std::vector<double>& values) {
     return array;
 }
 
+/// Whether only the light differs: the same cells of the same materials.
+bool same_shape(const Solution& a, const Solution& b) {
+    const auto same_cell = [](const DisplayCell& x, const DisplayCell& y) {
+        return std::equal(x.corner, x.corner + 4, y.corner) && x.face == y.face && x.patch == y.patch;
+    };
+    const auto same_place = [](const DisplayVertex& x, const DisplayVertex& y) { return x.position == y.position; };
+    return a.mesh == b.mesh && a.scene->materials == b.scene->materials &&
+           std::equal(a.display->cells.begin(), a.display->cells.end(), b.display->cells.begin(),
+                      b.display->cells.end(), same_cell) &&
+           std::equal(a.display->vertices.begin(), a.display->vertices.end(), b.display->vertices.begin(),
+                      b.display->vertices.end(), same_place);
+}
+
 }  // namespace
 
 CellLayer::CellLayer() : program_(shaders::cell_vert, shaders::cell_frag) {
@@ -77,7 +90,10 @@ CellLayer::CellLayer() : program_(shaders::cell_vert, shaders::cell_frag) {
 CellLayer::~CellLayer() { glDeleteTextures(1, &colours_); }
 
 void CellLayer::set(SolutionSnapshot solution) {
+    const bool is_loaded = solution_ != nullptr && same_shape(*solution_, *solution);
     solution_ = std::move(solution);
+    automatic_exposure_.reset();
+    if (is_loaded) return load_values(loaded_);
     std::vector<CellVertex> vertices;
     std::vector<GLuint> indices;
     vertices.reserve(4 * solution_->display->cells.size());
@@ -88,7 +104,6 @@ void CellLayer::set(SolutionSnapshot solution) {
     cells_.fill(vertices);
     cells_.fill_indices(indices);
     load_values(loaded_);
-    automatic_exposure_ = automatic_exposure(*solution_);
 }
 
 void CellLayer::load_values(LightPart part) {
@@ -138,9 +153,10 @@ void CellLayer::draw(const Pass& pass, const ViewOptions& look) {
     if (look.part != loaded_) load_values(look.part);
     program_.use();
     program_.set("to_clip", pass.to_clip);
+    if (look.scale == Scale::photo && !automatic_exposure_) automatic_exposure_ = automatic_exposure(*solution_);
     program_.set("photo", look.scale == Scale::photo ? 1 : 0);
     program_.set("coloured_light", solution_->display->tinted.empty() ? 0 : 1);
-    program_.set("exposure", static_cast<float>(automatic_exposure_ * std::exp2(look.exposure)));
+    program_.set("exposure", static_cast<float>(automatic_exposure_.value_or(1.0) * std::exp2(look.exposure)));
     program_.set("colour_below", colour_below);
     program_.set("colour_above", colour_above);
     program_.set("line_width", isolux_width * pass.pixel_scale);

@@ -6,6 +6,8 @@
 #include "ui/view/image.h"
 #include "ui/view/marks.h"
 
+#include <optional>
+
 namespace hanei {
 
 /// One drawing of the room: camera and size as the programs want them.
@@ -37,7 +39,7 @@ private:
     GLuint colours_ = 0;
     SolutionSnapshot solution_;
     LightPart loaded_ = LightPart::total;
-    double automatic_exposure_ = 1.0;
+    std::optional<double> automatic_exposure_;  ///< worked out when a photo is drawn
 };
 
 /// A finished picture of the room in place of its cells.

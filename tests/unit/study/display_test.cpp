@@ -3,8 +3,11 @@
 #include "tests/box_room.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace hanei {
 namespace {
@@ -81,6 +84,32 @@ TEST(Display, keeps_its_cells_while_a_luminaire_is_dragged) {
                                        static_cast<double>(during->display->vertices[k].direct)));
     }
     EXPECT_GT(most, 1.0) << "its light moved with it";
+}
+
+TEST(Display, of_a_luminaire_under_way_hardly_anywhere_differs_from_the_exact_one_by_more_than_is_seen) {
+    Scene scene = test::small_office();
+    Shown followed;
+    followed.show(scene);
+    scene.luminaires.front().position.x += 0.4;
+    const auto rough = followed.show(scene, true);
+    const auto anew = Shown().show(scene);
+    const auto key = [](const Vec3& place) { return std::array{place.x, place.y, place.z}; };
+    std::map<std::array<double, 3>, std::vector<float>> lit;  // several where faces meet
+    float brightest = 0.0F;
+    for (const DisplayVertex& vertex : anew->display->vertices) {
+        lit[key(vertex.position)].push_back(vertex.direct);
+        brightest = std::max(brightest, vertex.direct);
+    }
+    int compared = 0, seen = 0;
+    for (const DisplayVertex& vertex : rough->display->vertices) {
+        const auto found = lit.find(key(vertex.position));
+        if (found == lit.end() || found->second.size() > 1) continue;
+        const float exact = found->second.front();
+        if (std::abs(vertex.direct - exact) > 0.09F * exact + 0.01F * brightest) ++seen;
+        ++compared;
+    }
+    EXPECT_GT(compared, 1000);
+    EXPECT_LE(seen, compared / 200) << "a narrow shadow may fall between corners that are lit alike";
 }
 
 TEST(Display, of_a_dimmed_luminaire_lights_nothing_anew) {
