@@ -46,7 +46,7 @@ std::optional<std::vector<std::shared_ptr<const SideLight>>> LightSides::get(std
     for (std::size_t n = 0; n < inputs.size(); ++n) {
         const SideInput& input = inputs[n];
         const auto found = kept_.find(input.name);
-        if (found != kept_.end() && found->second.input == input) {
+        if (found != kept_.end() && found->second.input == input && (warm || !found->second.is_warm)) {
             lights[n] = found->second.light;
             continue;
         }
@@ -72,7 +72,7 @@ std::optional<std::vector<std::shared_ptr<const SideLight>>> LightSides::get(std
     for (std::size_t s = 0; s < wanted.size(); ++s) {
         SideInput& input = inputs[wanted[s].number];
         lights[wanted[s].number] = side_light(std::move(wanted[s].direct), std::move((*balances)[s]));
-        kept_.insert_or_assign(input.name, Kept{input, lights[wanted[s].number]});
+        kept_.insert_or_assign(input.name, Kept{input, lights[wanted[s].number], wanted[s].before != nullptr});
     }
     return lights;
 }

@@ -29,7 +29,8 @@ class LightSides {
 public:
     /// The solved light of each input. Inputs that are as they were cost nothing; the others are
     /// solved together.
-    /// `warm`: they start from the last solution under their name.
+    /// `warm`: they start from the last solution under their name. Without it no light is given out that
+    /// was solved so.
     /// Returns   empty when stopped.
     std::optional<std::vector<std::shared_ptr<const SideLight>>> get(std::vector<SideInput> inputs,
                                                                      const Exchange& exchange, bool warm,
@@ -41,6 +42,7 @@ private:
     struct Kept {
         SideInput input;
         std::shared_ptr<const SideLight> light;
+        bool is_warm = false;  ///< not the same bits as solved from nothing
     };
     std::map<std::pair<ObjectId, int>, Kept> kept_;
     bool reused_ = false;

@@ -85,6 +85,7 @@ struct Study::Stages {
     Receivers points, vertices;
     DisplayStage display_stage;
     CarriedLight carried;
+    double typical_mesh_error = 0.0;  ///< lx, of the last answer that knew it
     struct Taken {
         std::shared_ptr<const Mesh> mesh;
         std::shared_ptr<const OccluderSet> occluders;
@@ -198,6 +199,7 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
             if (!coarse_light) return false;
             coarse_values = std::move(coarse_light->interreflected);
             solution.typical_mesh_error = root_mean_square_difference(coarse_values, gathered.interreflected);
+            typical_mesh_error = solution.typical_mesh_error;
         }
     }
     CalculationPlaces places{std::move(solution.points), std::move(solution.grids)};
@@ -206,6 +208,7 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
     places.for_each([&](PointResult& point) {
         point.value = value_from({(*direct)[2 * k], gathered.interreflected[k], gathered.iteration[k], coarse_values[k],
                                   solution.typical_mesh_error, skipped, (*direct)[2 * k + 1]});
+        if (run.request.live && !rough) point.value.error.mesh = typical_mesh_error;
         if (is_covered(*solution.occluders, point.position, point.normal)) {
             point.value = PointValue{};
             point.value.inside_solid = true;

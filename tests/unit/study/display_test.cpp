@@ -124,6 +124,24 @@ TEST(Display, of_a_dimmed_luminaire_lights_nothing_anew) {
     EXPECT_TRUE(refining->reused);
 }
 
+TEST(Display, of_a_scene_let_go_has_the_same_figures_as_computed_anew_and_a_mesh_error_all_the_while) {
+    Scene scene = test::small_office();
+    Study study;
+    const auto run = [&](Study& by, bool live) {
+        const StudyRequest request{.display = true, .live = live, .mesh_error = !live};
+        return by.run(std::make_shared<const Scene>(scene), settings_of_tests(), request, Work{});
+    };
+    run(study, false);
+    scene.luminaires.front().position.x += 0.4;
+    const auto dragged = run(study, true), released = run(study, false);
+    Study other;
+    const auto anew = run(other, false);
+    for (std::size_t k = 0; k < anew->points.size(); ++k) {
+        EXPECT_EQ(released->points[k].value.interreflected.value, anew->points[k].value.interreflected.value);
+        EXPECT_GT(dragged->points[k].value.error.mesh, 0.0) << "it is estimated once the scene is let go";
+    }
+}
+
 /// White, but for the wall at x = 0.
 Scene room_with_a_red_wall() {
     Scene scene = test::box_room({4.0, 4.0, 3.0}, 0.7);
