@@ -12,9 +12,7 @@ namespace {
 using namespace test;
 
 using Edit = std::function<void(Scene&)>;
-using Change = std::function<void(Settings&)>;
 using Stages = std::vector<Stage>;
-
 const Stages everything{Stage::direct, Stage::factors, Stage::balance, Stage::gathering};
 const Stages all_but_values{Stage::direct, Stage::factors, Stage::balance};
 const Stages direct_and_factors{Stage::direct, Stage::factors};
@@ -25,7 +23,8 @@ const Stages nothing{};
 class Invalidation : public testing::TestWithParam<Method> {
 protected:
     void run(
-        const std::vector<Edit>& edits, const Change& change = [](Settings&) {}, Scene scene = grouped_office()) {
+        const std::vector<Edit>& edits, const std::function<void(Settings&)>& change = [](Settings&) {},
+        Scene scene = grouped_office()) {
         Settings settings = coarse_settings(GetParam());
         Study study;
         before_ = study.run(snapshot(scene), settings, StudyRequest{}, Work{});
@@ -79,13 +78,11 @@ TEST_P(Invalidation, another_name_of_an_object_reuses_every_stage) {
         scene.title = "another";
     });
     EXPECT_EQ(kept(), everything);
-    EXPECT_TRUE(kept_mesh());
 }
 
 TEST_P(Invalidation, a_moved_calculation_point_leaves_the_balance_alone) {
     run([](Scene& scene) { scene.points.front().position.x += 0.3; });
     EXPECT_EQ(kept(), all_but_values);
-    EXPECT_TRUE(kept_mesh());
 }
 
 TEST_P(Invalidation, a_moved_calculation_grid_leaves_the_balance_alone) {
