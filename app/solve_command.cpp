@@ -17,11 +17,13 @@ int solve_command(const SolveRequest& request) {
     request.change(project->settings);
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
     Study study;
-    const SolutionSnapshot solution = study.run(scene, project->settings, StudyRequest{}, Work{});
+    const SolutionSnapshot solution = study.run(scene, project->settings, StudyRequest{.energy = true}, Work{});
     std::fputs(summary_text(*solution).c_str(), stdout);
     if (request.csv) write_text(*request.csv, values_csv(*solution));
     if (request.json) write_text(*request.json, values_json(*solution));
-    return exit_done;
+    if (solution->refusal.empty()) return exit_done;
+    std::fprintf(stderr, "%s: %s\n", request.project.c_str(), solution->refusal.c_str());
+    return exit_answer_is_no;
 }
 
 int plan_command(const PlanRequest& request) {

@@ -3,6 +3,7 @@
 #include "app/files.h"
 #include "app/reference_scene.h"
 #include "app/verdict.h"
+#include "engine/scene/faces.h"
 #include "engine/study/study.h"
 
 #include <chrono>
@@ -14,7 +15,21 @@ namespace hanei {
 
 namespace {
 
-constexpr double unknowns_aimed_at = 2000.0;  // keeps a case within a second or two
+// Keep a case within some seconds.
+constexpr double patches_aimed_at = 4000.0;         // one value each
+constexpr double linear_patches_aimed_at = 250.0;   // four each, and cut finer where the light asks for it
+constexpr std::size_t most_faces_for_linear = 400;  // each is a patch at least
+
+/// The best method for the scene, and the patch width that cuts its faces into about as many as fit it.
+void make_suitable(Settings& settings, const Scene& scene, const SettingsChange& change) {
+    settings.method = faces_of(scene).size() <= most_faces_for_linear ? Method::linear : Method::patch;
+    settings.accuracy = 1e-7;
+    settings.bounces = 100'000;
+    change(settings);
+    const bool linear = settings.method == Method::linear;
+    settings.max_patch = suitable_patch(scene, linear ? linear_patches_aimed_at : patches_aimed_at);
+    change(settings);
+}
 
 double mean_of_face(const Solution& solution, ObjectId surface) {
     const auto found = solution.face_means.find(SurfaceRef{surface, 0});
@@ -54,10 +69,7 @@ CaseVerdict run_case(const ReferenceCase& reference, const ValidateRequest& requ
     CaseVerdict verdict{reference.id, reference.category, reference.unsupported, {}, 0.0, 0};
     if (!reference.unsupported.empty()) return verdict;
     Settings settings;
-    settings.max_patch = suitable_patch(reference.scene, unknowns_aimed_at);
-    settings.accuracy = 1e-7;
-    settings.bounces = 100'000;
-    request.change(settings);
+    make_suitable(settings, reference.scene, request.change);
     const auto begin = std::chrono::steady_clock::now();
     if (!reference.points.empty() || !reference.means.empty()) {
         Study study;
@@ -117,6 +129,7 @@ int validate_command(const ValidateRequest& request) {
         }
     }
     std::fputs(categories_text(verdicts).c_str(), stdout);
+    std::fputs(error_bars_text(verdicts).c_str(), stdout);
     if (request.json) write_text(*request.json, report.dump(1) + '\n');
     if (!readable) return exit_bad_input;
     for (const CaseVerdict& verdict : verdicts)

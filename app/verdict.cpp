@@ -69,7 +69,7 @@ Judged judge(std::string id, std::string set, double expected, double got, doubl
         const double tolerance = std::max(grade.relative * std::abs(expected), grade.absolute);
         return set.empty() ? std::max(tolerance, 2.0 * uncertainty) : tolerance + uncertainty;
     };
-    return {std::move(id), set, expected, got, allowed(top), allowed(pass), 0.0};
+    return {std::move(id), set, expected, got, allowed(top), allowed(pass), uncertainty};
 }
 
 Grade CaseVerdict::grade() const {
@@ -102,6 +102,29 @@ std::string line_of(const CaseVerdict& verdict) {
                             set_errors.size(), 100 * spread.mean, 100 * spread.p95, 100 * spread.worst);
     }
     return text;
+}
+
+std::string error_bars_text(const std::vector<CaseVerdict>& verdicts) {
+    std::size_t said = 0, held = 0;
+    std::vector<double> over_error;
+    for (const CaseVerdict& verdict : verdicts) {
+        for (const Judged& judged : verdict.judged) {
+            if (judged.error_bar < 0.0) continue;
+            const double error = std::abs(judged.got - judged.expected);
+            ++said;
+            held += error <= judged.error_bar + judged.uncertainty;
+            if (error > judged.uncertainty) over_error.push_back(judged.error_bar / error);
+        }
+    }
+    if (said == 0) return {};
+    std::string text = fmt::format("error bars hold at {} of {} points ({:.1f} %)", held, said,
+                                   100.0 * static_cast<double>(held) / static_cast<double>(said));
+    if (!over_error.empty()) {
+        const auto middle = over_error.begin() + static_cast<std::ptrdiff_t>(over_error.size() / 2);
+        std::nth_element(over_error.begin(), middle, over_error.end());
+        text += fmt::format("; in the median they are {:.3g} times the error", *middle);
+    }
+    return text + '\n';
 }
 
 std::string categories_text(const std::vector<CaseVerdict>& verdicts) {

@@ -17,7 +17,8 @@ struct Judged {
     std::string id, set;
     double expected = 0.0, got = 0.0;
     double allowed_top = 0.0, allowed_pass = 0.0;  ///< absolute
-    double error_bar = 0.0;                        ///< what we said the error is at most; 0 where none is said
+    double uncertainty = 0.0;                      ///< of the expected value
+    double error_bar = -1.0;                       ///< what we said the error is at most; negative where none is said
     double relative_error() const;                 ///< of the expected value; 0 when both are 0
     Grade grade() const;
 };
@@ -39,6 +40,10 @@ struct CaseVerdict {
 /// Case, points, worst and mean error, time, grade; a line more for every set of a furnished scene
 /// (mean, 95th percentile, greatest relative error).
 std::string line_of(const CaseVerdict& verdict);
+
+/// How often what we say of our errors holds: values within their error bar (and the uncertainty of what
+/// is expected), and the median of error bar over error where the error is more than that uncertainty.
+std::string error_bars_text(const std::vector<CaseVerdict>& verdicts);
 
 /// Cases and points by category: how many reach which grade; closes with "N passed, N failed".
 std::string categories_text(const std::vector<CaseVerdict>& verdicts);

@@ -106,10 +106,14 @@ std::string summary_text(const Solution& solution) {
                         solution.converged ? "" : " (not converged: see the error bars)");
     text += fmt::format("iteration {}; typical mesh error {:.2g} lx\n", bound_text(solution.iteration_bound),
                         solution.typical_mesh_error);
-    text +=
-        fmt::format("flux: {:.1f} lm emitted, {:.1f} lm absorbed, {:.1f} lm not met again ({:.2f} %)\n",
-                    solution.energy.emitted, solution.energy.absorbed, solution.energy.escaped,
-                    solution.energy.emitted > 0.0 ? 100.0 * solution.energy.escaped / solution.energy.emitted : 0.0);
+    const EnergyBalance& energy = solution.energy;
+    text += fmt::format("flux: {:.1f} lm emitted = {:.1f} lm absorbed", energy.emitted, energy.absorbed);
+    if (energy.on_luminaires > 0.0) text += fmt::format(" + {:.1f} lm onto luminaires", energy.on_luminaires);
+    text += fmt::format(" + {:.1f} lm escaped, to {:.3f} %\n", energy.escaped,
+                        energy.emitted > 0.0 ? 100.0 * energy.imbalance() / energy.emitted : 0.0);
+    text += fmt::format("closure: light between surfaces scaled by {:.3f} % so that as much arrives as left\n",
+                        100.0 * solution.closure);
+    if (!solution.refusal.empty()) text += "refused: " + solution.refusal + '\n';
     text += "time: " + times_text(solution) + '\n';
     for (const std::string& note : solution.notes) text += "note: " + note + '\n';
     return text;

@@ -79,7 +79,11 @@ std::string values_json(const Solution& solution) {
     }
     json["flux_lm"] = {{"emitted", solution.energy.emitted},
                        {"absorbed", solution.energy.absorbed},
-                       {"not_met_again", solution.energy.escaped}};
+                       {"on_luminaires", solution.energy.on_luminaires},
+                       {"escaped", solution.energy.escaped},
+                       {"imbalance", solution.energy.imbalance()}};
+    json["closure_percent"] = 100.0 * solution.closure;
+    if (!solution.refusal.empty()) json["refusal"] = solution.refusal;
     json["plan"] = to_json(solution.plan);
     json["notes"] = solution.notes;
     return json.dump(2) + '\n';

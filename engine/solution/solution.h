@@ -14,7 +14,7 @@
 
 namespace hanei {
 
-/// How wrong a value may be, by cause, lx. `iteration` and `skipped` are bounds, `mesh` is an
+/// How wrong a value may be, by cause, lx. `iteration` (with rounding) and `skipped` are bounds, `mesh` is an
 /// estimate from two resolutions. `sampling` is what integrating measured openings over sample points
 /// leaves, or taking them for points (99 of 100 values are within it: opening_integral.h); 0 where all
 /// direct light is exact. It says nothing about the model (diffuse surfaces) nor about the input.
@@ -82,11 +82,14 @@ struct DisplayMesh {
     bool has_unshadowed = false;
 };
 
-/// Where the flux went, lm.
+/// Where the flux went, lm. Each part is counted by itself, none as what the others leave.
 struct EnergyBalance {
-    double emitted = 0.0;  ///< luminaires and surfaces that emit by themselves
-    double absorbed = 0.0;
-    double escaped = 0.0;  ///< left through openings, or was met by surfaces' backs and luminaires
+    double emitted = 0.0;        ///< by luminaires and surfaces that emit by themselves
+    double absorbed = 0.0;       ///< by surfaces
+    double on_luminaires = 0.0;  ///< straight from one luminaire onto another that is opaque: it reflects nothing
+    double escaped = 0.0;        ///< left for where no surface is seen: openings, surfaces' backs, opaque luminaires
+    /// What patches and directions fail to account for.
+    double imbalance() const { return emitted - absorbed - on_luminaires - escaped; }
 };
 
 struct StageTime {
@@ -131,7 +134,11 @@ struct Solution {
     bool complete = false;         ///< false for a result published on the way
     double iteration_bound = 0.0;  ///< lx, greatest iteration error of any patch
     double greatest_row_sum = 0.0;
+    double closure = 0.0;  ///< share of the light between surfaces that patches alone gained or lost; made up for
+    double closure_error =
+        0.0;  ///< share of interreflected light that making up for it may have misplaced; an estimate
     std::vector<StageTime> times;
+    std::string refusal;             ///< why interreflection has no answer: then light is direct only; else empty
     std::vector<std::string> notes;  ///< what the user must know ("reflectance 1 in a closed room ...")
 };
 

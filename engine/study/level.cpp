@@ -1,10 +1,16 @@
 #include "engine/study/level.h"
 
+#include "engine/mesh/refine.h"
 #include "engine/scene/colour.h"
 #include "engine/study/stage_keys.h"
+#include "engine/transport/ambient.h"
+#include "engine/transport/closed_part.h"
+#include "engine/transport/series.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
 namespace hanei {
 
@@ -31,6 +37,17 @@ std::vector<Receiver> vertex_receivers(const Mesh& mesh) {
     return receivers;
 }
 
+/// The mesh whose patches are the quarters that the nodes stand for. A patch half in shadow and half
+/// hidden from a receiver shows mostly its lit part: each node needs a share of its own.
+std::shared_ptr<const Mesh> quartered(const Mesh& mesh, const Nodes& nodes) {
+    return in_parts(mesh,
+                    [&](PatchId patch) {
+                        const auto quarters = quarters_of(mesh, nodes, patch);
+                        return std::vector<Polygon>(quarters.begin(), quarters.end());
+                    })
+        .mesh;
+}
+
 /// As floats while they are small against the memory they may take, else in fewer bits.
 RowStorage storage(const Settings& settings, std::size_t coefficients) {
     const std::size_t memory = static_cast<std::size_t>(settings.memory_mb) * 1024 * 1024;
@@ -47,37 +64,30 @@ std::vector<double> spread(const Mesh& mesh, const Nodes& nodes, Value&& value) 
     return spread;
 }
 
-/// The illuminance of all surfaces by each other if it were everywhere the same and no light got out:
-/// what first leaves them, times 1 / (1 - mean reflectance).
-double ambient_illuminance(std::span<const double> reflectance, std::span<const double> direct,
-                           std::span<const double> own_exitance, std::span<const double> areas) {
-    double area = 0.0, reflecting = 0.0, leaving = 0.0;
-    for (std::size_t k = 0; k < areas.size(); ++k) {
-        area += areas[k];
-        reflecting += areas[k] * reflectance[k];
-        leaving += areas[k] * (own_exitance[k] + reflectance[k] * direct[k]);
-    }
-    constexpr double most_kept = 0.99;  // nearly all light kept: an estimate, not a divergence
-    return area > 0.0 ? leaving / (area - std::min(reflecting, most_kept * area)) : 0.0;
-}
-
 }  // namespace
 
 Level::Cut Level::cut(const Scene& scene, double max_patch, Method method) {
-    const Elements elements = method == Method::linear ? Elements::linear : Elements::constant;
     const MeshKey key{surfaces_of(scene), max_patch, method};
-    const Cut* made = cuts_.get(key, [&] {
-        Cut cut;
-        cut.mesh = make_mesh(scene, max_patch, method == Method::linear ? Grading::crowded : Grading::uniform);
-        cut.nodes = std::make_shared<const Nodes>(nodes_of(*cut.mesh, elements));
-        return std::optional(std::move(cut));
+    const auto* mesh = meshes_.get(key, [&] {
+        return std::optional(
+            make_mesh(scene, max_patch, method == Method::linear ? Grading::crowded : Grading::uniform));
     });
-    if (!geometry_ || elements != cut_.nodes->elements || !same_shapes(*geometry_, *made->mesh)) {
-        geometry_ = made->mesh;
-        unknowns_ = is_of_the_paper(method) ? vertex_receivers(*made->mesh) : made->nodes->receivers;
-    }
+    return cut(*mesh, method);
+}
+
+Level::Cut Level::cut(std::shared_ptr<const Mesh> mesh, Method method) {
+    const Elements elements = method == Method::linear ? Elements::linear : Elements::constant;
+    const bool same = cut_.mesh && of_the_paper_ == is_of_the_paper(method) && elements == cut_.nodes->elements &&
+                      same_shapes(*cut_.mesh, *mesh);
+    cut_.mesh = std::move(mesh);
     of_the_paper_ = is_of_the_paper(method);
-    return cut_ = *made;
+    if (!same) {
+        cut_.nodes = std::make_shared<const Nodes>(nodes_of(*cut_.mesh, elements));
+        seen_ = elements == Elements::linear ? quartered(*cut_.mesh, *cut_.nodes) : cut_.mesh;
+        geometry_ = std::make_shared<const int>();
+    }
+    unknowns_ = of_the_paper_ ? vertex_receivers(*cut_.mesh) : cut_.nodes->receivers;
+    return cut_;
 }
 
 std::vector<double> Level::patch_values(std::span<const double> at_unknowns) const {
@@ -225,7 +235,7 @@ std::optional<std::vector<SideInput>> Level::side_inputs(const LevelInput& input
             if (surfaces) made.own_exitance = own;
             made.limits = {input.settings->bounces, input.settings->accuracy};
             const double weight = bands == 1 ? 1.0 : luminance_weights[band];
-            levels_.push_back({group.level, weight, band, nullptr});
+            levels_.push_back({group.level, weight, band, surfaces, nullptr});
         }
     }
     direct_.forget_others(*input.scene);
@@ -252,6 +262,7 @@ RowsInput Level::rows_between_surfaces(const LevelInput& input) const {
                                                                  : RowsInput::Kind::nodes;
     rows.mesh = cut_.mesh;
     rows.nodes = cut_.nodes;
+    rows.seen = seen_;
     rows.geometry = rows.receivers_are = geometry_;
     rows.receivers = unknowns_;
     rows.occluders = input.patch_occluders;
@@ -259,8 +270,10 @@ RowsInput Level::rows_between_surfaces(const LevelInput& input) const {
     return rows;
 }
 
-/// Before any interreflection: direct light, and one ambient illuminance for all that is reflected.
-LevelAnswer Level::first_guess(std::span<const SideInput> sides, std::vector<double> patch_direct) const {
+/// Before any interreflection: direct light, and one ambient illuminance for all that is reflected; or
+/// nothing of it, and no bound on what is left out.
+LevelAnswer Level::first_guess(std::span<const SideInput> sides, std::vector<double> patch_direct,
+                               bool with_ambient) const {
     LevelAnswer answer;
     answer.patch_direct = std::move(patch_direct);
     const std::vector<double> areas = unknown_areas();
@@ -269,12 +282,13 @@ LevelAnswer Level::first_guess(std::span<const SideInput> sides, std::vector<dou
         light->direct = sides[s].direct_sum();
         const std::vector<double> own =
             sides[s].own_exitance.empty() ? std::vector<double>(areas.size(), 0.0) : sides[s].own_exitance;
-        const double ambient = ambient_illuminance(sides[s].reflectance, light->direct, own, areas);
+        const double ambient =
+            with_ambient ? ambient_illuminance(areas, sides[s].reflectance, own, light->direct) : 0.0;
         light->interreflected.assign(areas.size(), ambient);
         light->exitance = own;
         for (std::size_t k = 0; k < areas.size(); ++k)
             light->exitance[k] += sides[s].reflectance[k] * (light->direct[k] + ambient);
-        light->exitance_half_width.assign(areas.size(), 0.0);
+        light->exitance_half_width.assign(areas.size(), with_ambient ? 0.0 : unbounded);
         LightPart part = levels_[s];
         part.light = std::move(light);
         answer.parts.push_back(std::move(part));
@@ -283,16 +297,43 @@ LevelAnswer Level::first_guess(std::span<const SideInput> sides, std::vector<dou
     return answer;
 }
 
+/// The sentence that says which surfaces keep all their light; empty when none do. Nothing when stopped.
+std::optional<std::string> Level::refusal(std::span<const SideInput> sides, const Exchange& exchange,
+                                          const Scene& scene, const Work& work) const {
+    constexpr double row_error = 2e-3;  // of rows in few bits
+    for (const SideInput& side : sides) {
+        std::vector<double> emitted = side.direct_sum();
+        for (std::size_t k = 0; k < emitted.size(); ++k) {
+            emitted[k] *= side.reflectance[k];
+            if (!side.own_exitance.empty()) emitted[k] += side.own_exitance[k];
+        }
+        const auto closed = closed_unknowns(exchange, side.reflectance, emitted, work, row_error);
+        if (!closed) return std::nullopt;
+        if (closed->empty()) continue;
+        std::set<std::string> names;
+        for (const std::size_t k : *closed) {
+            const ObjectId id = of_the_paper_ ? cut_.mesh->vertices[k].material
+                                              : cut_.mesh->patches[k / cut_.nodes->per_patch].material;
+            for (const Material& material : scene.materials)
+                if (material.id == id) names.insert(material.name);
+        }
+        std::string list;
+        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+        return "Surfaces that reflect all light see only each other (" + list +
+               "): interreflection grows without end. Give one of them a reflectance below 1, or open the room.";
+    }
+    return std::string();
+}
+
 std::optional<LevelAnswer> Level::solve(const LevelInput& input, const Work& work, StageClock& clock,
                                         const std::function<void(const LevelAnswer&)>& on_way) {
-    cut(*input.scene, input.max_patch, input.settings->method);
     clock.enter(Stage::direct);
     auto sides = side_inputs(input, work);
     if (!sides) return std::nullopt;
     auto patch_light = patch_direct(input, *sides, work);
     if (!patch_light) return std::nullopt;
     clock.mark_reused(direct_.reused());
-    if (on_way) on_way(first_guess(*sides, *patch_light));
+    if (on_way) on_way(first_guess(*sides, *patch_light, true));
 
     LevelAnswer answer;
     answer.patch_direct = std::move(*patch_light);
@@ -308,7 +349,17 @@ std::optional<LevelAnswer> Level::solve(const LevelInput& input, const Work& wor
     const Exchange exchange = [&](std::span<const double> leaving, std::span<double> arriving, std::size_t count) {
         return rows->multiply(leaving, arriving, count, work);
     };
-    const auto lights = sides_.get(std::move(*sides), exchange, input.warm, work);
+    auto reason = refusal(*sides, exchange, *input.scene, work);
+    if (!reason) return std::nullopt;
+    if (!reason->empty()) {
+        LevelAnswer direct_only = first_guess(*sides, std::move(answer.patch_direct), false);
+        direct_only.refusal = std::move(*reason);
+        return direct_only;
+    }
+    const std::vector<double>* const sums = row_sums_.get(rows_.version(), [&] { return rows->row_sums(work); });
+    if (!sums) return std::nullopt;
+    const auto lights =
+        sides_.get(std::move(*sides), {exchange, unknown_areas(), *sums, !of_the_paper_}, input.warm, work);
     if (!lights) return std::nullopt;
     clock.mark_reused(sides_.reused());
     for (std::size_t s = 0; s < lights->size(); ++s) {
@@ -317,9 +368,31 @@ std::optional<LevelAnswer> Level::solve(const LevelInput& input, const Work& wor
         answer.bounces = std::max(answer.bounces, part.light->bounces);
         answer.converged = answer.converged && part.light->converged;
         answer.greatest_row_sum = std::max(answer.greatest_row_sum, part.light->greatest_row_sum);
+        answer.greatest_gain = std::max(answer.greatest_gain, std::abs(part.light->gain - 1.0));
         answer.parts.push_back(std::move(part));
     }
     return answer;
+}
+
+std::optional<FluxAccount> Level::flux(const LevelAnswer& answer, const Scene& scene, const Work& work) {
+    FluxAccount total;
+    if (answer.parts.empty()) return total;
+    const std::vector<double>* const sums = row_sums_.get(rows_.version(), [&] { return rows_.now()->row_sums(work); });
+    if (!sums) return std::nullopt;
+    const std::vector<double> areas = unknown_areas(), own = own_exitances(), none(areas.size(), 0.0);
+    for (const LightPart& part : answer.parts) {
+        const std::vector<double> reflecting = reflectances(scene, part.band);
+        const FluxAccount account = account_of(
+            {areas, reflecting, part.of_surfaces ? own : none, part.light->direct, part.light->interreflected, *sums});
+        const double share = part.level * part.band_weight;
+        total.own += share * account.own;
+        total.direct += share * account.direct;
+        total.absorbed += share * account.absorbed;
+        total.escaped += share * account.escaped;
+        total.sent += share * account.sent;
+        total.received += share * account.received;
+    }
+    return total;
 }
 
 std::optional<GatheredLight> Level::gather(int slot, std::span<const LightPart> parts,

@@ -10,6 +10,7 @@
 #include "engine/study/rows_stage.h"
 #include "engine/study/stage_cache.h"
 #include "engine/study/stage_clock.h"
+#include "engine/transport/energy.h"
 #include "engine/transport/nodes.h"
 
 #include <functional>
@@ -21,7 +22,6 @@ struct LevelInput {
     const Scene* scene = nullptr;
     const Settings* settings = nullptr;
     const EffectsPlan* plan = nullptr;
-    double max_patch = 0.5;                              ///< m
     std::shared_ptr<const OccluderSet> occluders;        ///< of direct light; null: nothing casts shadows
     std::shared_ptr<const OccluderSet> patch_occluders;  ///< of light between surfaces; null: nothing stands between
     Accuracy direct_accuracy;                            ///< of each luminaire's direct light
@@ -35,6 +35,8 @@ struct LevelAnswer {
     int bounces = 0;                   ///< the most of any part
     bool converged = true;
     double greatest_row_sum = 0.0;
+    double greatest_gain = 0.0;  ///< by which light between surfaces was scaled, of any part: |gain - 1|
+    std::string refusal;  ///< why there is no balance: then there is no interreflected light; empty when there is one
 };
 
 /// Needs     cut() before anything else.
@@ -46,11 +48,15 @@ public:
     };
     /// Cuts the scene into patches of this width; the same objects while nothing that shapes them changes.
     Cut cut(const Scene& scene, double max_patch, Method method);
+    Cut cut(std::shared_ptr<const Mesh> mesh, Method method);  ///< a mesh made elsewhere
 
     /// `on_way` sees direct light with an ambient estimate of the rest before interreflection is computed.
     /// Returns   empty when stopped.
     std::optional<LevelAnswer> solve(const LevelInput& input, const Work& work, StageClock& clock,
                                      const std::function<void(const LevelAnswer&)>& on_way = nullptr);
+
+    /// Where the light of an answer with interreflection goes; empty when stopped.
+    std::optional<FluxAccount> flux(const LevelAnswer& answer, const Scene& scene, const Work& work);
 
     /// Light from this level's surfaces at other places, kept as long as it is the same. `slot` numbers
     /// the set of receivers (0: calculation points, 1: vertices).
@@ -66,7 +72,6 @@ public:
     std::vector<double> vertex_values(std::span<const double> at_unknowns) const;
 
     const Cut& now() const { return cut_; }
-    const StoredRows* rows() const { return rows_.now(); }  ///< between surfaces; null before the first
 
 private:
     struct MeshKey {
@@ -88,17 +93,22 @@ private:
     std::optional<std::vector<SideInput>> side_inputs(const LevelInput& input, const Work& work);
     std::optional<std::vector<double>> patch_direct(const LevelInput& input, std::span<const SideInput> sides,
                                                     const Work& work);
+    std::optional<std::string> refusal(std::span<const SideInput> sides, const Exchange& exchange, const Scene& scene,
+                                       const Work& work) const;
     RowsInput rows_between_surfaces(const LevelInput& input) const;
-    LevelAnswer first_guess(std::span<const SideInput> sides, std::vector<double> patch_direct) const;
+    LevelAnswer first_guess(std::span<const SideInput> sides, std::vector<double> patch_direct,
+                            bool with_ambient) const;
 
-    StageCache<MeshKey, Cut> cuts_;
+    StageCache<MeshKey, std::shared_ptr<const Mesh>> meshes_;
     Cut cut_;
-    std::shared_ptr<const Mesh> geometry_;  ///< stands for the shapes of the mesh: the same as long as they are
+    std::shared_ptr<const Mesh> seen_;  ///< what visible shares are of: the patches, or the quarters that have a node
+    std::shared_ptr<const void> geometry_;  ///< the same object as long as the shapes and nodes are
     bool of_the_paper_ = false;
     std::vector<Receiver> unknowns_;
     std::vector<LightPart> levels_;  ///< one a side of the last solve, without light
     DirectStage direct_, patch_direct_;
     RowsStage rows_;
+    StageCache<std::shared_ptr<const void>, std::vector<double>> row_sums_;
     LightSides sides_;
     GatherStage gathering_[2];
 };

@@ -13,6 +13,8 @@ struct SideLight {
     std::vector<double> interreflected;       ///< lx
     std::vector<double> exitance;             ///< lm/m2
     std::vector<double> exitance_half_width;  ///< lm/m2; the converged exitance lies within this of it
+    std::vector<double> sent, arrived;        ///< where the next balance by the same rows may start
+    double gain = 1.0;                        ///< on all light between surfaces, so that as much arrives as left
     int bounces = 0;
     bool converged = false;
     double greatest_row_sum = 0.0;
@@ -23,6 +25,7 @@ struct LightPart {
     double level = 1.0;        ///< of the group
     double band_weight = 1.0;  ///< of the band in what the eye sees as luminous flux
     int band = 0;
+    bool of_surfaces = false;  ///< that emit by themselves
     std::shared_ptr<const SideLight> light;
 };
 

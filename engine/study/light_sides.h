@@ -25,15 +25,23 @@ struct SideInput {
     std::vector<double> direct_sum() const;
 };
 
+/// What passes between surfaces in one reflection.
+struct SurfaceExchange {
+    Exchange exchange;
+    std::vector<double> areas;     ///< m2, one an unknown
+    std::vector<double> row_sums;  ///< share of what each sees that is a surface
+    bool conserves = true;         ///< light that arrives is scaled to what left: rows at nodes gain or lose some
+};
+
 class LightSides {
 public:
     /// The solved light of each input. Inputs that are as they were cost nothing; the others are
     /// solved together.
-    /// `warm`: they start from the last solution under their name. Without it no light is given out that
-    /// was solved so.
+    /// `warm`: they start from the last solution under their name, and scale as it did. Without it no light
+    /// is given out that was solved so.
     /// Returns   empty when stopped.
     std::optional<std::vector<std::shared_ptr<const SideLight>>> get(std::vector<SideInput> inputs,
-                                                                     const Exchange& exchange, bool warm,
+                                                                     const SurfaceExchange& surfaces, bool warm,
                                                                      const Work& work);
     void forget_others(std::span<const std::pair<ObjectId, int>> names);
     bool reused() const { return reused_; }  ///< the last get() solved nothing

@@ -7,6 +7,23 @@
 
 namespace hanei {
 
+namespace {
+
+/// A gain on every reflection changes a room's interreflected light by gain / (1 - mean reflectance); a
+/// quarter of that was not reached in 95 of 100 values.
+double closure_error(const Solution& solution) {
+    const PerPatch<double> reflectance = reflectances(*solution.mesh, *solution.scene);
+    double area = 0.0, reflecting = 0.0;
+    for (std::size_t p = 0; p < solution.mesh->patches.size(); ++p) {
+        area += solution.mesh->patches[p].area;
+        reflecting += solution.mesh->patches[p].area * reflectance.all()[p];
+    }
+    constexpr double likely = 0.25;
+    return area > reflecting ? likely * solution.closure * area / (area - reflecting) : 0.0;
+}
+
+}  // namespace
+
 void take_answer(Solution& solution, const Level& level, const LevelAnswer& answer) {
     solution.patch_direct = answer.patch_direct;
     const auto of_nodes = [&](LightField field) { return level.node_values(mixed(answer.parts, field)); };
@@ -17,9 +34,11 @@ void take_answer(Solution& solution, const Level& level, const LevelAnswer& answ
     solution.bounces = answer.bounces;
     solution.converged = answer.converged;
     solution.greatest_row_sum = answer.greatest_row_sum;
+    solution.closure = answer.greatest_gain;
+    solution.closure_error = closure_error(solution);
     const PatchLight light{solution.patch_direct, solution.patch_interreflected};
     solution.face_means = face_means(*solution.mesh, light, solution.plan.skipped_bound_lux());
-    solution.energy = energy_of(*solution.scene, *solution.mesh, light);
+    solution.refusal = answer.refusal;
     solution.iteration_bound = 0.0;
     for (const double half_width : solution.exitance_half_width)
         solution.iteration_bound = std::max(solution.iteration_bound, half_width);
@@ -44,13 +63,10 @@ void take_times(Solution& solution, std::vector<StageTime> times) {
 void note_divergence(Solution& solution) {
     constexpr double rounding = 1e-6;  // of form factors kept as floats
     const std::string sum = std::to_string(solution.greatest_row_sum);
-    if (solution.settings.method == Method::paper && solution.greatest_row_sum > 1.0 + rounding) {
+    if (!solution.refusal.empty()) return;
+    if (is_of_the_paper(solution.settings.method) && solution.greatest_row_sum > 1.0 + rounding) {
         solution.notes.push_back("The paper's form factors add up to more than 1 (with the reflectance, " + sum +
                                  "): interreflection is wrong where patches come close. Use method patch.");
-    } else if (!solution.converged && solution.greatest_row_sum > 1.0 - rounding) {
-        solution.notes.push_back("Surfaces that reflect all light see only each other (greatest share passed on, " +
-                                 sum +
-                                 "): interreflection grows without end and no value has a bound. Lower a reflectance.");
     } else if (!solution.converged && solution.bounces >= solution.settings.bounces) {
         solution.notes.push_back("Stopped after " + std::to_string(solution.bounces) +
                                  " bounces as set; the rest is in the error bars.");

@@ -15,7 +15,7 @@ namespace {
 class NodeRows {
 public:
     explicit NodeRows(const RowsInput& input) : input_(input), factors_(*input.mesh, *input.nodes) {
-        if (input.occluders) shares_.emplace(*input.mesh, *input.occluders);
+        if (input.occluders) shares_.emplace(*input.seen, *input.occluders);
     }
     bool write(std::size_t first, std::size_t last, float* factors, float* shares) {
         const auto receivers = input_.receivers.subspan(first, last - first);
@@ -79,7 +79,7 @@ RowWriter row_writer_for(const RowsInput& input) {
 }
 
 ShareWriter share_writer_for(const RowsInput& input, const OccluderSet& changed) {
-    const auto shares = std::make_shared<VisibleShares>(*input.mesh, *input.occluders);
+    const auto shares = std::make_shared<VisibleShares>(*input.seen, *input.occluders);
     return [=, &input, &changed](std::size_t first, std::size_t last, float* rows) {
         return shares->rewrite(input.receivers.subspan(first, last - first), changed, rows);
     };
@@ -96,7 +96,8 @@ OccluderSet all_of(const OccluderSet& some, const OccluderSet& others) {
 std::optional<StoredRows> make_rows(const RowsInput& input, const Work& work) {
     const bool of_nodes = input.kind == RowsInput::Kind::nodes;
     const std::size_t columns = of_nodes ? input.nodes->size() : input.mesh->vertices.size();
-    const RowShape shape{input.receivers.size(), columns, of_nodes ? input.nodes->per_patch : 1};
+    const RowShape shape{input.receivers.size(), columns,
+                         of_nodes ? input.nodes->size() / input.seen->patches.size() : 1};
     return StoredRows::make(
         shape, input.storage, [&] { return row_writer_for(input); }, work);
 }

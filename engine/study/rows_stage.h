@@ -19,6 +19,7 @@ struct RowsInput {
     Kind kind = Kind::nodes;
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Nodes> nodes;            ///< columns; of the paper's rows: those that tell what a point sees
+    std::shared_ptr<const Mesh> seen;              ///< its patches have a visible share each: one a patch or one a node
     std::shared_ptr<const void> geometry;          ///< the same object as long as shapes and nodes are
     std::shared_ptr<const void> receivers_are;     ///< the same object as long as the receivers are
     std::span<const Receiver> receivers;           ///< one a row

@@ -5,6 +5,7 @@
 #include "engine/scene/faces.h"
 #include "engine/study/display_stage.h"
 #include "engine/study/first_picture.h"
+#include "engine/study/finer_mesh.h"
 #include "engine/study/level.h"
 #include "engine/study/outcome.h"
 #include "engine/study/shadow_stage.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -64,22 +66,54 @@ double root_mean_square_difference(const std::vector<double>& a, const std::vect
 /// methods know it there.
 bool gathers_at_vertices(Method method) { return method == Method::patch; }
 
-/// What direct light must be exact to: the accuracy asked for, of the value or of a tenth of the mean
-/// illuminance in the room, whichever is more.
-Accuracy direct_accuracy(const Scene& scene, const Settings& settings) {
+/// Rounds of refinement, by how many patches more.
+constexpr std::array growth_of_rounds{2.0 / 3.0, 2.0 / 3.0, 0.3, 0.3, 0.3, 0.3};
+constexpr std::size_t least_rounds = 2;
+constexpr double settled_change = 0.03;  // of a value from one round to the next
+
+/// Of any value, as a share of itself or of a tenth of their mean.
+double greatest_change(const std::vector<double>& before, const std::vector<double>& now,
+                       const std::vector<double>& illuminance) {
+    double mean = 0.0;
+    for (const double lux : illuminance) mean += lux / static_cast<double>(illuminance.size());
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        const double scale = std::max(illuminance[k], 0.1 * mean);
+        if (scale > 0.0) greatest = std::max(greatest, std::abs(now[k] - before[k]) / scale);
+    }
+    return greatest;
+}
+
+/// The method for final figures looks where its patches are too coarse.
+bool is_refined(const Solution& solution, const StudyRequest& request) {
+    return solution.settings.method == Method::linear && request.refine && !request.live &&
+           solution.plan.simulates(Effect::interreflection);
+}
+
+/// What direct light must be exact to: so much of the value, or of a tenth of the mean illuminance in
+/// the room, whichever is more.
+Accuracy direct_accuracy(const Scene& scene, double share) {
     double area = 0.0, flux = 0.0;
     for (const Face& face : faces_of(scene)) area += glm::length(vector_area(face.region));
     for (const Luminaire& luminaire : scene.luminaires) flux += Emitter(scene, luminaire).flux().value;
     const double dim = area > 0.0 ? 0.1 * flux / area : 0.0;
-    return accuracy_of_each(settings.accuracy, dim, scene.luminaires.size());
+    return accuracy_of_each(share, dim, scene.luminaires.size());
 }
+
+/// Of values: not beyond what sampling a measured opening can tell.
+double share_at_points(const Settings& settings) { return std::max(settings.accuracy, 1e-4); }
+
+/// Of means over patches: their errors are those of many patches and all but cancel in a value.
+double share_of_means(const Settings& settings) { return std::clamp(3.0 * settings.accuracy, 1e-3, 1e-2); }
 
 std::vector<double> nothing(std::size_t count) { return std::vector<double>(count, 0.0); }
 
 }  // namespace
 
 struct Study::Stages {
-    Level fine, coarse, open_fine;  // open: the same patch width, nothing casts shadows
+    Level fine, coarse, open_fine;              // open: the same patch width, nothing casts shadows
+    std::vector<std::unique_ptr<Level>> finer;  // rounds of cutting where the light asks for it
+    Level *newest = &fine, *rougher = &coarse;  // the answer's, and the one that its mesh error is told from
     DirectStage point_direct;
     std::shared_ptr<const OccluderSet> occluders;
     Receivers points, vertices;
@@ -101,7 +135,7 @@ struct Study::Stages {
         Work work;
         StageClock clock;
         std::shared_ptr<Solution> solution;
-        Accuracy direct_accuracy;
+        Accuracy at_points, of_means;  ///< of direct light
         std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
         LevelInput fine_input() const;
     };
@@ -114,7 +148,9 @@ struct Study::Stages {
     bool picture_ahead(Run& run, const std::function<void(SolutionSnapshot)>& publish);
     void keep_for_next(const Run& run, SurfaceLight light);
     std::optional<SurfaceLight> vertex_light(Run& run, const LevelAnswer& answer);
+    bool energy(Run& run, const LevelAnswer& answer);
     std::optional<LevelAnswer> solve_coarse(Run& run);
+    std::optional<LevelAnswer> refine(Run& run, const LevelAnswer& base);
     std::optional<std::vector<double>> open_interreflected(Run& run);
     std::optional<std::vector<double>> direct_at_points(Run& run);
 };
@@ -127,10 +163,9 @@ LevelInput Study::Stages::Run::fine_input() const {
     input.scene = scene.get();
     input.settings = &settings;
     input.plan = &solution->plan;
-    input.max_patch = settings.max_patch;
     input.occluders = if_simulated(Effect::occlusion_direct);
     input.patch_occluders = if_simulated(Effect::occlusion_patches);
-    input.direct_accuracy = direct_accuracy;
+    input.direct_accuracy = of_means;
     input.warm = request.live;
     return input;
 }
@@ -141,11 +176,14 @@ void Study::Stages::prepare(Run& run) {
     run.solution->scene = run.scene;
     run.solution->settings = run.settings;
     run.solution->plan = plan_effects(*run.scene, run.settings);
-    run.direct_accuracy = direct_accuracy(*run.scene, run.settings);
+    run.at_points = direct_accuracy(*run.scene, share_at_points(run.settings));
+    run.of_means = direct_accuracy(*run.scene, share_of_means(run.settings));
 
     run.clock.enter(Stage::meshing);
     refresh(occluders, occluders_of(*run.scene), same_bodies);
     run.solution->occluders = occluders;
+    newest = &fine;
+    rougher = is_refined(*run.solution, run.request) ? &fine : &coarse;
     run.solution->mesh = fine.cut(*run.scene, run.settings.max_patch, run.settings.method).mesh;
     CalculationPlaces places = places_of(*run.scene);
     refresh(points, receivers_at(places, *run.solution->mesh), std::equal_to{});
@@ -168,19 +206,62 @@ std::optional<std::vector<double>> Study::Stages::direct_at_points(Run& run) {
     receivers.identity = points;
     receivers.count = points->size();
     receivers.figures = 2;
-    receivers.accuracy = input.direct_accuracy;
+    receivers.accuracy = run.at_points;
     receivers.places = [&](std::size_t k) { return std::span(&(*points)[k].position, 1); };
     receivers.compute = [&](const Emitter& emitter, std::span<const std::uint32_t> which) {
         std::vector<Receiver> some;
         some.reserve(which.size());
         for (const std::uint32_t k : which) some.push_back((*points)[k]);
-        auto estimates = direct_estimates(emitter, some, input.occluders.get(), input.direct_accuracy, run.work);
+        auto estimates = direct_estimates(emitter, some, input.occluders.get(), run.at_points, run.work);
         if (estimates) *estimates = side_by_side(*estimates);
         return estimates;
     };
     auto direct = point_direct.sum(*run.scene, receivers, input.occluders);
     run.clock.mark_reused(point_direct.reused());
     return direct;
+}
+
+bool Study::Stages::energy(Run& run, const LevelAnswer& answer) {
+    run.clock.enter(Stage::gathering);
+    const auto account = newest->flux(answer, *run.scene, run.work);
+    if (!account) return false;
+    const auto energy = energy_of(*run.scene, *account, run.fine_input().occluders.get(), run.of_means, run.work);
+    if (energy) run.solution->energy = *energy;
+    return energy.has_value();
+}
+
+/// The mesh as wished was the first look: patches that misplace light are cut, twice, and then some more
+/// as long as a value still moves.
+std::optional<LevelAnswer> Study::Stages::refine(Run& run, const LevelAnswer& base) {
+    std::vector<double> illuminance, before;
+    CalculationPlaces places{run.solution->points, run.solution->grids};
+    places.for_each([&](const PointResult& point) {
+        illuminance.push_back(point.value.total().value);
+        before.push_back(point.value.interreflected.value);
+    });
+    const LevelInput input = run.fine_input();
+    std::optional<LevelAnswer> answer = base;
+    for (std::size_t round = 0; round < growth_of_rounds.size(); ++round) {
+        const auto mesh =
+            finer_mesh(*newest, *answer, {*points, illuminance}, growth_of_rounds[round], input, run.work, run.clock);
+        if (!mesh) return std::nullopt;
+        if (finer.size() == round) finer.push_back(std::make_unique<Level>());
+        newest = finer[round].get();
+        newest->cut(mesh, run.settings.method);
+        answer = newest->solve(input, run.work, run.clock);
+        if (!answer) return std::nullopt;
+        run.clock.enter(Stage::gathering);
+        auto now = newest->gather(points_slot, answer->parts, points, input, run.work, run.clock);
+        if (!now) return std::nullopt;
+        const bool settled = greatest_change(before, now->interreflected, illuminance) < settled_change;
+        before = std::move(now->interreflected);
+        if (round + 1 >= least_rounds && settled) break;
+    }
+    run.solution->mesh = newest->now().mesh;
+    refresh(vertices, vertex_receivers(*run.solution->mesh), std::equal_to{});
+    run.solution->coarse_mesh = fine.now().mesh;
+    run.solution->coarse_exitance = fine.node_values(mixed(base.parts, &SideLight::exitance));
+    return answer;
 }
 
 bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswer* rough) {
@@ -191,11 +272,12 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
     GatheredLight gathered{nothing(points->size()), nothing(points->size()), {}};
     std::vector<double> coarse_values(points->size(), -1.0);
     if (!answer.parts.empty()) {
-        auto fine_light = fine.gather(points_slot, answer.parts, points, run.fine_input(), run.work, run.clock);
+        auto fine_light = newest->gather(points_slot, answer.parts, points, run.fine_input(), run.work, run.clock);
         if (!fine_light) return false;
         gathered = std::move(*fine_light);
         if (rough) {
-            auto coarse_light = coarse.gather(points_slot, rough->parts, points, run.fine_input(), run.work, run.clock);
+            auto coarse_light =
+                rougher->gather(points_slot, rough->parts, points, run.fine_input(), run.work, run.clock);
             if (!coarse_light) return false;
             coarse_values = std::move(coarse_light->interreflected);
             solution.typical_mesh_error = root_mean_square_difference(coarse_values, gathered.interreflected);
@@ -207,7 +289,7 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
     const double skipped = solution.plan.skipped_bound_lux();
     places.for_each([&](PointResult& point) {
         point.value = value_from({(*direct)[2 * k], gathered.interreflected[k], gathered.iteration[k], coarse_values[k],
-                                  solution.typical_mesh_error, skipped, (*direct)[2 * k + 1]});
+                                  solution.typical_mesh_error, solution.closure_error, skipped, (*direct)[2 * k + 1]});
         if (run.request.live && !rough) point.value.error.mesh = typical_mesh_error;
         if (is_covered(*solution.occluders, point.position, point.normal)) {
             point.value = PointValue{};
@@ -222,7 +304,7 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
 
 std::optional<LevelAnswer> Study::Stages::solve_coarse(Run& run) {
     LevelInput input = run.fine_input();
-    input.max_patch = coarse_ratio * run.settings.max_patch;
+    coarse.cut(*run.scene, coarse_ratio * run.settings.max_patch, run.settings.method);
     auto answer = coarse.solve(input, run.work, run.clock);
     if (!answer) return std::nullopt;
     run.solution->coarse_mesh = coarse.now().mesh;
@@ -233,6 +315,7 @@ std::optional<LevelAnswer> Study::Stages::solve_coarse(Run& run) {
 std::optional<std::vector<double>> Study::Stages::open_interreflected(Run& run) {
     LevelInput input = run.fine_input();
     input.occluders = input.patch_occluders = nullptr;
+    open_fine.cut(run.solution->mesh, run.settings.method);
     const auto answer = open_fine.solve(input, run.work, run.clock);
     if (!answer) return std::nullopt;
     if (answer->parts.empty()) return nothing(vertices->size());
@@ -244,9 +327,9 @@ std::optional<std::vector<double>> Study::Stages::open_interreflected(Run& run) 
 }
 
 std::optional<SurfaceLight> Study::Stages::vertex_light(Run& run, const LevelAnswer& answer) {
-    if (answer.parts.empty() || !gathers_at_vertices(run.settings.method)) return light_at_vertices(fine, answer);
+    if (answer.parts.empty() || !gathers_at_vertices(run.settings.method)) return light_at_vertices(*newest, answer);
     run.clock.enter(Stage::gathering);
-    auto light = fine.gather(vertices_slot, answer.parts, vertices, run.fine_input(), run.work, run.clock);
+    auto light = newest->gather(vertices_slot, answer.parts, vertices, run.fine_input(), run.work, run.clock);
     if (!light) return std::nullopt;
     return SurfaceLight{std::move(light->interreflected), std::move(light->bands), {}};
 }
@@ -258,7 +341,7 @@ bool Study::Stages::light_display(Run& run, bool open) {
     input.scene = run.scene.get();
     input.mesh = run.solution->mesh;
     input.occluders = level.occluders;
-    input.accuracy = run.direct_accuracy;
+    input.accuracy = run.of_means;
     input.open = open;
     input.live = run.request.live;
     if (!display_stage.update(input, run.work)) return false;
@@ -307,7 +390,7 @@ Study::~Study() = default;
 
 SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const StudyRequest& request,
                             const Work& work, const std::function<void(SolutionSnapshot)>& publish) {
-    Stages::Run run{std::move(scene), settings, request, work, StageClock(work.progress), nullptr, {}};
+    Stages::Run run{std::move(scene), settings, request, work, StageClock(work.progress), nullptr, {}, {}};
     run.work.threads = settings.threads > 0 ? settings.threads : hardware_threads();
     stages_->prepare(run);
     if (request.shadows && !stages_->shadows(run)) return nullptr;
@@ -319,14 +402,19 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
         if (request.display && !stages_->display(run, light_at_vertices(stages_->fine, estimate), false)) return;
         publish(std::make_shared<const Solution>(*run.solution));
     };
-    const auto answer = stages_->fine.solve(run.fine_input(), run.work, run.clock, on_way);
+    auto answer = stages_->fine.solve(run.fine_input(), run.work, run.clock, on_way);
     if (!answer) return nullptr;
     std::optional<LevelAnswer> rough;
-    if (request.mesh_error && run.solution->plan.simulates(Effect::interreflection)) {
+    if (is_refined(*run.solution, request)) {
+        if (!stages_->values(run, *answer, nullptr)) return nullptr;
+        rough = std::move(answer);
+        answer = stages_->refine(run, *rough);
+        if (!answer) return nullptr;
+    } else if (request.mesh_error && run.solution->plan.simulates(Effect::interreflection)) {
         rough = stages_->solve_coarse(run);
         if (!rough) return nullptr;
     }
-    take_answer(*run.solution, stages_->fine, *answer);
+    take_answer(*run.solution, *stages_->newest, *answer);
     if (!stages_->values(run, *answer, rough ? &*rough : nullptr)) return nullptr;
     if (request.display) {
         auto light = stages_->vertex_light(run, *answer);
@@ -340,6 +428,7 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
         stages_->keep_for_next(run, std::move(*light));
     }
 
+    if (request.energy && !stages_->energy(run, *answer)) return nullptr;
     note_divergence(*run.solution);
     run.solution->complete = true;
     run.clock.enter(Stage::done);

@@ -16,7 +16,9 @@ struct StudyRequest {
     bool unshadowed = false;  ///< and its part without shadows (the paper's Fig. 4e)
     bool shadows = false;     ///< classes of patches and outlines of shadows
     bool live = false;        ///< the scene is being dragged: from the last solution on, sooner
+    bool energy = false;      ///< where the flux goes
     bool mesh_error = true;   ///< the mesh part of the error bars (a second, coarser solution)
+    bool refine = true;       ///< method linear cuts patches finer where the light asks for it
     bool operator==(const StudyRequest&) const = default;
 };
 

@@ -3,6 +3,7 @@
 
 #include "engine/solution/solution.h"
 #include "engine/study/display_stage.h"
+#include "engine/transport/energy.h"
 
 namespace hanei {
 
@@ -36,11 +37,13 @@ struct ValueParts {
     double iteration = 0.0;  ///< gathered from the exitances' half widths
     double coarse = -1.0;    ///< the coarser solution's interreflected value; negative: not computed
     double typical_mesh_error = 0.0;
+    double closure_error = 0.0;  ///< share of the interreflected value
     double skipped = 0.0;
     double sampling = 0.0;  ///< by how much the direct light may be off
 };
-/// Mesh part: the difference of the two resolutions, and at least half its root mean square over
-/// all points, so that two curves that happen to cross do not claim to be exact.
+/// Mesh part: 1.6 times the difference of the two resolutions, and at least 0.6 of its root mean square
+/// over all points, so that two curves that happen to cross do not claim to be exact; and what scaling
+/// to closure may have misplaced.
 PointValue value_from(const ValueParts& parts);
 
 /// Means over patches of what arrives, lx.
@@ -51,7 +54,11 @@ struct PatchLight {
 /// Area means of every face of the mesh.
 std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const PatchLight& light, double skipped_lux);
 
-/// Emitted, absorbed and escaped flux of a solution.
-EnergyBalance energy_of(const Scene& scene, const Mesh& mesh, const PatchLight& light);
+/// Where the flux goes. A room is closed: direct light that met nothing is an imbalance there, and has
+/// escaped from a scene of surfaces alone. Of light between surfaces `account` tells all; without one
+/// what is reflected was not followed.
+/// Returns   empty when stopped.
+std::optional<EnergyBalance> energy_of(const Scene& scene, const FluxAccount& account, const OccluderSet* occluders,
+                                       const Accuracy& accuracy, const Work& work);
 
 }  // namespace hanei

@@ -28,7 +28,7 @@ SolutionSnapshot solve(const Scene& scene, Method method, const Wish& wish = {})
     settings.max_patch = wish.max_patch;
     settings.accuracy = wish.accuracy;
     settings.bounces = is_of_the_paper(method) ? 4 : wish.bounces;
-    const StudyRequest request{.mesh_error = wish.mesh_error};
+    const StudyRequest request{.mesh_error = wish.mesh_error, .refine = wish.mesh_error};
     return Study().run(std::make_shared<const Scene>(scene), settings, request, Work{});
 }
 

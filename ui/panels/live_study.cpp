@@ -85,6 +85,7 @@ void LiveStudy::start() {
                 .unshadowed = wish_.unshadowed,
                 .shadows = wish_.shadows,
                 .live = wish_.in_gesture,
+                .energy = !wish_.in_gesture,
                 .mesh_error = !wish_.in_gesture});
 }
 

@@ -147,6 +147,7 @@ void effects_table(const EffectsPlan& plan, bool measured) {
 }
 
 void energy_table(const Solution& solution, bool measured) {
+    if (!solution.refusal.empty()) ImGui::TextWrapped("%s", solution.refusal.c_str());
     for (const std::string& note : solution.notes) ImGui::TextWrapped("%s", note.c_str());
     if (!ImGui::BeginTable("energy", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 220.0F * style::scale());
@@ -155,9 +156,11 @@ void energy_table(const Solution& solution, bool measured) {
     const EnergyBalance& energy = solution.energy;
     fact("Emitted", short_figure(energy.emitted), "lm", "By luminaires and surfaces that shine by themselves");
     fact("Absorbed by surfaces", short_figure(energy.absorbed), "lm", "");
-    fact("Left the room", short_figure(energy.escaped), "lm", "Through openings, or met by surfaces' backs");
-    fact("Unaccounted", short_figure(energy.emitted - energy.absorbed - energy.escaped), "lm",
-         "What rounding and patches leave over");
+    if (energy.on_luminaires > 0.0)
+        fact("Absorbed by luminaires", short_figure(energy.on_luminaires), "lm", "Straight from other luminaires");
+    fact("Escaped", short_figure(energy.escaped), "lm",
+         "Reflected to where no surface is seen: openings, backs of surfaces, opaque luminaires");
+    fact("Unaccounted", fmt::format("{:.2g}", energy.imbalance()), "lm", "What patches and rounding leave over");
     fact("Patches", solution.mesh ? std::to_string(solution.mesh->patches.size()) : "–", "", "");
     fact("Interreflections", std::to_string(solution.bounces), "", "Bounces until the accuracy was reached");
     fact("Iteration error at most", short_figure(solution.iteration_bound), "lx", "A bound, at any patch");

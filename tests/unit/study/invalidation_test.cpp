@@ -15,6 +15,9 @@ using Edit = std::function<void(Scene&)>;
 using Stages = std::vector<Stage>;
 const Stages everything{Stage::direct, Stage::factors, Stage::balance, Stage::gathering};
 const Stages all_but_values{Stage::direct, Stage::factors, Stage::balance};
+/// Where patches are cut finer hangs on the light and on what is asked: on every line of the table.
+const StudyRequest unrefined{.refine = false};
+
 const Stages direct_and_factors{Stage::direct, Stage::factors};
 const Stages factors_alone{Stage::factors};
 const Stages nothing{};
@@ -27,13 +30,13 @@ protected:
         Scene scene = grouped_office()) {
         Settings settings = coarse_settings(GetParam());
         Study study;
-        before_ = study.run(snapshot(scene), settings, StudyRequest{}, Work{});
+        before_ = study.run(snapshot(scene), settings, unrefined, Work{});
         for (const Edit& edit : edits) {
             edit(scene);
             if (&edit == &edits.back()) change(settings);
-            after_ = study.run(snapshot(scene), settings, StudyRequest{}, Work{});
+            after_ = study.run(snapshot(scene), settings, unrefined, Work{});
         }
-        const auto fresh = Study().run(snapshot(scene), settings, StudyRequest{}, Work{});
+        const auto fresh = Study().run(snapshot(scene), settings, unrefined, Work{});
         EXPECT_EQ(values_of(*after_), values_of(*fresh)) << "what was kept changed the answer";
     }
     void run(const Edit& edit) { run(std::vector<Edit>{edit}); }

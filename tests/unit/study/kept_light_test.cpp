@@ -124,7 +124,8 @@ protected:
             }
             return true;
         };
-        return *sides_.get(std::move(inputs), exchange, false, Work{});
+        const std::vector<double> areas(3, 1.0), row_sums(3, 0.3);
+        return *sides_.get(std::move(inputs), {exchange, areas, row_sums}, false, Work{});
     }
 
     LightSides sides_;

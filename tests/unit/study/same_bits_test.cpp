@@ -66,7 +66,7 @@ TEST(Rows, that_are_read_from_disk_give_the_bits_of_rows_in_memory) {
             settings.max_patch = method == Method::linear ? 0.5 : 0.25;
             settings.memory_mb = memory;
             const auto solution = Study().run(test::snapshot(test::grouped_office()), settings,
-                                              StudyRequest{.mesh_error = false}, Work{});
+                                              StudyRequest{.mesh_error = false, .refine = false}, Work{});
             values.push_back(test::values_of(*solution));
         }
         EXPECT_EQ(values[0], values[1]) << name_of(method);

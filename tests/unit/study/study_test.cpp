@@ -80,12 +80,37 @@ TEST(Study, error_bars_cover_the_difference_to_a_much_finer_solution) {
     }
 }
 
-TEST(Study, emitted_flux_is_absorbed_in_a_closed_room) {
-    Settings settings = coarse_settings();
-    settings.max_patch = 0.3;
-    const auto solution = Study().run(snapshot(test::small_office()), settings, StudyRequest{}, Work{});
-    EXPECT_NEAR(solution->energy.emitted, 7200.0, 1e-9);
-    EXPECT_NEAR(solution->energy.absorbed, 7200.0, 0.01 * 7200.0);  // patch width 0.3 m
+TEST(Study, all_flux_of_a_closed_room_is_accounted_for) {
+    for (const Method method : {Method::patch, Method::linear}) {
+        Settings settings = coarse_settings();
+        settings.max_patch = 0.3;
+        settings.method = method;
+        const auto solution =
+            Study().run(snapshot(test::small_office()), settings, StudyRequest{.energy = true}, Work{});
+        const EnergyBalance& energy = solution->energy;
+        EXPECT_NEAR(energy.emitted, 7200.0, 1e-9);
+        EXPECT_NEAR(energy.imbalance(), 0.0, 1e-3 * 7200.0);
+        EXPECT_GT(energy.absorbed, 0.9 * 7200.0);
+        EXPECT_GE(energy.escaped, 0.0);
+    }
+}
+
+TEST(Study, a_closed_room_that_reflects_everything_is_refused_and_named) {
+    Scene scene = test::box_room({4.0, 3.0, 2.5}, 1.0);
+    scene.luminaires.push_back(test::point_source(scene, {2.0, 1.5, 1.25}, 5000.0));
+    scene.points = {test::point(scene, {1.0, 1.0, 0.0})};
+    for (const Method method : {Method::patch, Method::linear}) {
+        Settings settings = coarse_settings();
+        settings.method = method;
+        const auto refused = Study().run(snapshot(scene), settings, StudyRequest{}, Work{});
+        EXPECT_NE(refused->refusal.find(scene.materials.front().name), std::string::npos) << refused->refusal;
+        EXPECT_GT(refused->points.front().value.error.iteration, 1e6);  // no bound
+        scene.materials.front().reflectance = 0.99;
+        const auto solved = Study().run(snapshot(scene), settings, StudyRequest{}, Work{});
+        EXPECT_TRUE(solved->refusal.empty());
+        EXPECT_TRUE(solved->converged);
+        scene.materials.front().reflectance = 1.0;
+    }
 }
 
 }  // namespace
