@@ -135,7 +135,7 @@ struct Solution {
     double iteration_bound = 0.0;  ///< lx, greatest iteration error of any patch
     double greatest_row_sum = 0.0;
     double closure = 0.0;  ///< share of the light between surfaces that patches alone gained or lost; made up for
-    double closure_error =
+    double reflected_error =
         0.0;  ///< share of interreflected light that making up for it may have misplaced; an estimate
     std::vector<StageTime> times;
     std::string refusal;             ///< why interreflection has no answer: then light is direct only; else empty

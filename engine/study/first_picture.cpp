@@ -21,10 +21,8 @@ SurfaceLight light_at_vertices(const Level& level, const LevelAnswer& answer) {
     return light;
 }
 
-std::optional<FirstPicture::Made> FirstPicture::make(const LevelInput& answer_input, const Work& work,
-                                                     StageClock& clock) {
-    LevelInput input = answer_input;
-    input.max_patch *= wide;
+std::optional<FirstPicture::Made> FirstPicture::make(const LevelInput& input, const Work& work, StageClock& clock) {
+    level_.cut(*input.scene, wide * input.settings->max_patch, input.settings->method);
     const auto answer = level_.solve(input, work, clock);
     if (!answer) return std::nullopt;
     clock.enter(Stage::refining);

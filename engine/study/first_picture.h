@@ -17,7 +17,7 @@ public:
     /// Needs     the input of the full answer.
     /// Returns   empty when stopped.
     /// Cost      about a fortieth of a full answer's form factors.
-    std::optional<Made> make(const LevelInput& answer_input, const Work& work, StageClock& clock);
+    std::optional<Made> make(const LevelInput& input, const Work& work, StageClock& clock);
 
 private:
     Level level_;

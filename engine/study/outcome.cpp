@@ -35,7 +35,7 @@ void take_answer(Solution& solution, const Level& level, const LevelAnswer& answ
     solution.converged = answer.converged;
     solution.greatest_row_sum = answer.greatest_row_sum;
     solution.closure = answer.greatest_gain;
-    solution.closure_error = closure_error(solution);
+    solution.reflected_error = closure_error(solution);
     const PatchLight light{solution.patch_direct, solution.patch_interreflected};
     solution.face_means = face_means(*solution.mesh, light, solution.plan.skipped_bound_lux());
     solution.refusal = answer.refusal;

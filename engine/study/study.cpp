@@ -4,8 +4,8 @@
 #include "engine/geometry/polygon.h"
 #include "engine/scene/faces.h"
 #include "engine/study/display_stage.h"
-#include "engine/study/first_picture.h"
 #include "engine/study/finer_mesh.h"
+#include "engine/study/first_picture.h"
 #include "engine/study/level.h"
 #include "engine/study/outcome.h"
 #include "engine/study/shadow_stage.h"
@@ -13,8 +13,8 @@
 #include "engine/study/value_stage.h"
 
 #include <algorithm>
-#include <chrono>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <functional>
 
@@ -62,9 +62,12 @@ double root_mean_square_difference(const std::vector<double>& a, const std::vect
     return a.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(a.size()));
 }
 
-/// Patches of one value leave steps between them: light at their corners is gathered anew. The other
-/// methods know it there.
-bool gathers_at_vertices(Method method) { return method == Method::patch; }
+/// Patches of one value leave steps between them: light at their corners is gathered anew while that is
+/// not too dear; smaller steps are not seen. The other methods know it there.
+bool gathers_at_vertices(const Settings& settings, const Mesh& mesh) {
+    constexpr std::size_t most_patches = 15'000;
+    return settings.method == Method::patch && mesh.patches.size() <= most_patches;
+}
 
 /// Rounds of refinement, by how many patches more.
 constexpr std::array growth_of_rounds{2.0 / 3.0, 2.0 / 3.0, 0.3, 0.3, 0.3, 0.3};
@@ -96,12 +99,15 @@ Accuracy direct_accuracy(const Scene& scene, double share) {
     double area = 0.0, flux = 0.0;
     for (const Face& face : faces_of(scene)) area += glm::length(vector_area(face.region));
     for (const Luminaire& luminaire : scene.luminaires) flux += Emitter(scene, luminaire).flux().value;
-    const double dim = area > 0.0 ? 0.1 * flux / area : 0.0;
+    // a power of two, so that a luminaire more or less does not ask for other light of all the others
+    const double dim = area > 0.0 && flux > 0.0 ? std::exp2(std::floor(std::log2(0.1 * flux / area))) : 0.0;
     return accuracy_of_each(share, dim, scene.luminaires.size());
 }
 
 /// Of values: not beyond what sampling a measured opening can tell.
 double share_at_points(const Settings& settings) { return std::max(settings.accuracy, 1e-4); }
+
+constexpr double not_cancelled = 0.1;  // of the errors of many patches, in a value that gathers from all
 
 /// Of means over patches: their errors are those of many patches and all but cancel in a value.
 double share_of_means(const Settings& settings) { return std::clamp(3.0 * settings.accuracy, 1e-3, 1e-2); }
@@ -288,8 +294,9 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
     std::size_t k = 0;
     const double skipped = solution.plan.skipped_bound_lux();
     places.for_each([&](PointResult& point) {
-        point.value = value_from({(*direct)[2 * k], gathered.interreflected[k], gathered.iteration[k], coarse_values[k],
-                                  solution.typical_mesh_error, solution.closure_error, skipped, (*direct)[2 * k + 1]});
+        point.value =
+            value_from({(*direct)[2 * k], gathered.interreflected[k], gathered.iteration[k], coarse_values[k],
+                        solution.typical_mesh_error, solution.reflected_error, skipped, (*direct)[2 * k + 1]});
         if (run.request.live && !rough) point.value.error.mesh = typical_mesh_error;
         if (is_covered(*solution.occluders, point.position, point.normal)) {
             point.value = PointValue{};
@@ -319,7 +326,7 @@ std::optional<std::vector<double>> Study::Stages::open_interreflected(Run& run) 
     const auto answer = open_fine.solve(input, run.work, run.clock);
     if (!answer) return std::nullopt;
     if (answer->parts.empty()) return nothing(vertices->size());
-    if (!gathers_at_vertices(run.settings.method))
+    if (!gathers_at_vertices(run.settings, *run.solution->mesh))
         return open_fine.vertex_values(mixed(answer->parts, &SideLight::interreflected));
     auto light = open_fine.gather(vertices_slot, answer->parts, vertices, input, run.work, run.clock);
     if (!light) return std::nullopt;
@@ -327,7 +334,8 @@ std::optional<std::vector<double>> Study::Stages::open_interreflected(Run& run) 
 }
 
 std::optional<SurfaceLight> Study::Stages::vertex_light(Run& run, const LevelAnswer& answer) {
-    if (answer.parts.empty() || !gathers_at_vertices(run.settings.method)) return light_at_vertices(*newest, answer);
+    if (answer.parts.empty() || !gathers_at_vertices(run.settings, *run.solution->mesh))
+        return light_at_vertices(*newest, answer);
     run.clock.enter(Stage::gathering);
     auto light = newest->gather(vertices_slot, answer.parts, vertices, run.fine_input(), run.work, run.clock);
     if (!light) return std::nullopt;
@@ -415,6 +423,7 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
         if (!rough) return nullptr;
     }
     take_answer(*run.solution, *stages_->newest, *answer);
+    run.solution->reflected_error += not_cancelled * run.of_means.share;
     if (!stages_->values(run, *answer, rough ? &*rough : nullptr)) return nullptr;
     if (request.display) {
         auto light = stages_->vertex_light(run, *answer);

@@ -41,7 +41,8 @@ struct SweepExpected {
 };
 
 /// Runs with patches of 4, 2, 1 and 1/2 times the width set; `linear`, with four unknowns a patch, twice
-/// these; `paper` ends after ten interreflections. Errors are against `expected`; without it against a finest run, `linear` at half the width.
+/// these; `paper` ends after ten interreflections. Errors are against `expected`; without it against a finest run,
+/// `linear` at half the width.
 ///
 /// Needs     calculation points or grids.
 /// Returns   the runs that were finished when stopped.

@@ -51,7 +51,7 @@ PointValue value_from(const ValueParts& parts) {
     if (parts.coarse >= 0.0)
         value.error.mesh = std::max(of_difference * std::abs(parts.interreflected - parts.coarse),
                                     of_typical * parts.typical_mesh_error) +
-                           parts.closure_error * parts.interreflected;
+                           parts.reflected_error * parts.interreflected;
     value.error.skipped = parts.skipped;
     value.error.sampling = parts.sampling;
     return value;

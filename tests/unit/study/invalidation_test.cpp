@@ -263,7 +263,7 @@ TEST_P(Invalidation, another_patch_width_redoes_everything) {
 
 TEST_P(Invalidation, another_method_redoes_form_factors_and_balance) {
     for (const Method other : methods) {
-        if (other == GetParam() || is_of_the_paper(other) != is_of_the_paper(GetParam())) continue;
+        if (other == GetParam()) continue;
         run({[](Scene&) {}}, [&](Settings& settings) { settings = coarse_settings(other); });
         for (const Stage stage : kept()) EXPECT_TRUE(stage == Stage::direct || stage == Stage::gathering);
     }
