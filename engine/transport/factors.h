@@ -11,7 +11,7 @@
 
 namespace hanei {
 
-/// A dense matrix, one row a receiver, one column a patch (for the paper's method: a vertex).
+/// A dense matrix, one row a receiver, one column a patch.
 struct DenseRows {
     std::size_t rows = 0, columns = 0;
     std::vector<float> values;
@@ -39,13 +39,6 @@ std::optional<Visibility> patch_visibility(const Mesh& mesh, std::span<const Rec
 std::optional<Visibility> updated_visibility(Visibility before, const Mesh& mesh, std::span<const Receiver> receivers,
                                              const OccluderSet& gone, const OccluderSet& come,
                                              const OccluderSet& occluders, const Work& work);
-
-/// The paper's equation 4 between grid points: cos cos / (pi r^2) times w_j A_j; grows without
-/// bound as points approach (METHOD, slips): faithful, not mended.
-std::optional<DenseRows> paper_factors(const Mesh& mesh, const Work& work);
-
-/// The paper's row visibility: each straight row of grid points is a line source seen from P_i.
-std::optional<Visibility> paper_visibility(const Mesh& mesh, const OccluderSet& occluders, const Work& work);
 
 /// Form factor from polygon to polygon (both flat and convex or not), mean over the first, past
 /// occluders; adaptive to a relative error of about 1e-7.

@@ -1,6 +1,7 @@
 #include "engine/transport/factors.h"
 
 #include "engine/geometry/visible_part.h"
+#include "engine/transport/paper_rows.h"
 #include "tests/unit/mesh/sample_scenes.h"
 
 #include <algorithm>
@@ -129,13 +130,23 @@ TEST(Factors, a_stopped_computation_returns_nothing) {
     const Work work{1, stop.get_token(), nullptr};
     EXPECT_FALSE(patch_factors(*mesh, centres_of(*mesh), work));
     EXPECT_FALSE(patch_visibility(*mesh, centres_of(*mesh), occluders_of(scene), work));
-    EXPECT_FALSE(paper_factors(*mesh, work));
-    EXPECT_FALSE(paper_visibility(*mesh, occluders_of(scene), work));
 }
+
+/// All rows of the paper's method.
+struct WholePaper {
+    std::size_t count;
+    std::vector<float> factors, visible;
+    bool any_hidden;
+
+    WholePaper(const Mesh& mesh, const OccluderSet* occluders)
+        : count(mesh.vertices.size()), factors(count * count, 0.0F), visible(count * count, 1.0F) {
+        any_hidden = PaperRows(mesh, occluders).write(0, count, factors.data(), visible.data());
+    }
+};
 
 TEST(PaperFactors, follow_equation_4) {
     const auto mesh = make_mesh(sample::box_room(4.0, 3.0, 2.0), 1.0);
-    const DenseRows factors = *paper_factors(*mesh, {});
+    const WholePaper rows(*mesh, nullptr);
     for (std::size_t i = 0; i < mesh->vertices.size(); ++i) {
         const Receiver& at = mesh->vertices[i].receiver;
         for (std::size_t j = 0; j < mesh->vertices.size(); ++j) {
@@ -147,7 +158,7 @@ TEST(PaperFactors, follow_equation_4) {
                 expected = glm::dot(apart / r, at.normal) * -glm::dot(apart / r, from.receiver.normal) * from.area /
                            (3.14159265358979323846 * r * r);
             }
-            EXPECT_NEAR(static_cast<double>(factors.row(i)[j]), expected, 1e-6 * expected);  // float
+            EXPECT_NEAR(static_cast<double>(rows.factors[i * rows.count + j]), expected, 1e-6 * expected);  // float
         }
     }
 }
@@ -170,16 +181,15 @@ TEST(PaperVisibility, agrees_with_every_single_sight_line) {
     const Scene scene = sample::computer_room();
     const auto mesh = make_mesh(scene, 0.8);
     const OccluderSet occluders = occluders_of(scene);
-    const DenseRows factors = *paper_factors(*mesh, {2});
-    const Visibility visibility = *paper_visibility(*mesh, occluders, {2});
-    ASSERT_FALSE(visibility.all_visible);
+    const WholePaper rows(*mesh, &occluders);
+    ASSERT_TRUE(rows.any_hidden);
     std::size_t hidden = 0;
     for (std::size_t i = 0; i < mesh->vertices.size(); i += 3) {
         for (std::size_t j = 0; j < mesh->vertices.size(); ++j) {
-            if (factors.row(i)[j] <= 1e-12F) continue;  // in the plane of either face but for rounding
+            if (rows.factors[i * rows.count + j] <= 1e-12F) continue;  // in the plane of either face but for rounding
             const bool blocked =
                 occluders.blocks(mesh->vertices[i].receiver.position, mesh->vertices[j].receiver.position);
-            EXPECT_EQ(visibility.share.row(i)[j], blocked ? 0.0F : 1.0F) << i << " to " << j;
+            EXPECT_EQ(rows.visible[i * rows.count + j], blocked ? 0.0F : 1.0F) << i << " to " << j;
             if (blocked) ++hidden;
         }
     }
@@ -188,7 +198,8 @@ TEST(PaperVisibility, agrees_with_every_single_sight_line) {
 
 TEST(PaperVisibility, an_empty_room_is_all_visible) {
     const Scene scene = sample::box_room(4.0, 3.0, 2.0);
-    EXPECT_TRUE(paper_visibility(*make_mesh(scene, 1.0), occluders_of(scene), {})->all_visible);
+    const OccluderSet occluders = occluders_of(scene);
+    EXPECT_FALSE(WholePaper(*make_mesh(scene, 1.0), &occluders).any_hidden);
 }
 
 }  // namespace
