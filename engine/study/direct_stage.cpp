@@ -7,6 +7,15 @@
 
 namespace hanei {
 
+namespace {
+
+bool is_accurate_enough(const Accuracy& kept, const LightReceivers& receivers) {
+    if (kept == receivers.accuracy) return true;
+    return receivers.finer_will_do && kept.share <= receivers.accuracy.share && kept.floor <= receivers.accuracy.floor;
+}
+
+}  // namespace
+
 double output_share(const Scene& scene, const Luminaire& luminaire) {
     return luminaire.dimming * scene.maintenance_factor;
 }
@@ -31,7 +40,7 @@ DirectStage::Values DirectStage::of(const Scene& scene, const Luminaire& luminai
     const Photometry* const photometry = measured_of(scene, luminaire);
     Entry& kept = entries_[luminaire.id];
     const bool same = kept.values && kept.light == light && kept.receivers == receivers.identity &&
-                      kept.accuracy == receivers.accuracy &&
+                      is_accurate_enough(kept.accuracy, receivers) &&
                       (photometry ? kept.photometry == *photometry : !kept.photometry);
     if (same && kept.occluders == occluders) return kept.values;
 

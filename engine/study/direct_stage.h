@@ -24,7 +24,8 @@ struct LightReceivers {
     std::function<std::span<const Vec3>(std::size_t)> places;  ///< a receiver's extent: a point, corners of a patch
     /// Figures of the receivers named, in that order; empty when stopped.
     std::function<std::optional<std::vector<double>>(const Emitter&, std::span<const std::uint32_t> which)> compute;
-    Accuracy accuracy;  ///< what `compute` aims at
+    Accuracy accuracy;           ///< what `compute` aims at
+    bool finer_will_do = false;  ///< values kept from a more exact computation need not be made anew
 };
 
 class DirectStage {

@@ -114,6 +114,7 @@ LightReceivers Level::receivers_at_nodes(const LevelInput& input, const Work& wo
     receivers.count = cut_.mesh->patches.size();
     receivers.figures = cut_.nodes->per_patch;
     receivers.accuracy = input.direct_accuracy;
+    receivers.finer_will_do = input.warm;
     receivers.places = [mesh = cut_.mesh](std::size_t p) { return std::span<const Vec3>(mesh->patches[p].outline); };
     const bool linear = cut_.nodes->elements == Elements::linear;
     receivers.compute = [this, linear, &input, &work](const Emitter& emitter, std::span<const std::uint32_t> which) {
@@ -233,7 +234,9 @@ std::optional<std::vector<SideInput>> Level::side_inputs(const LevelInput& input
             for (const LightGroup::Member& member : group.members)
                 made.shares.push_back(member.share * band_output(*member.luminaire, *input.scene)[band]);
             if (surfaces) made.own_exitance = own;
-            made.limits = {input.settings->bounces, input.settings->accuracy};
+            // what stays is brought closer than asked: the room's flux is told to a thousandth
+            constexpr double closer = 0.1;
+            made.limits = {input.settings->bounces, input.settings->accuracy * (input.warm ? 1.0 : closer)};
             const double weight = bands == 1 ? 1.0 : luminance_weights[band];
             levels_.push_back({group.level, weight, band, surfaces, nullptr});
         }

@@ -93,15 +93,13 @@ bool is_refined(const Solution& solution, const StudyRequest& request) {
            solution.plan.simulates(Effect::interreflection);
 }
 
-/// What direct light must be exact to: so much of the value, or of a tenth of the mean illuminance in
-/// the room, whichever is more.
-Accuracy direct_accuracy(const Scene& scene, double share) {
+/// lx at full output, below which direct light need be no more exact: a tenth of the room's mean.
+double dim_illuminance(const Scene& scene) {
     double area = 0.0, flux = 0.0;
     for (const Face& face : faces_of(scene)) area += glm::length(vector_area(face.region));
     for (const Luminaire& luminaire : scene.luminaires) flux += Emitter(scene, luminaire).flux().value;
     // a power of two, so that a luminaire more or less does not ask for other light of all the others
-    const double dim = area > 0.0 && flux > 0.0 ? std::exp2(std::floor(std::log2(0.1 * flux / area))) : 0.0;
-    return accuracy_of_each(share, dim, scene.luminaires.size());
+    return area > 0.0 && flux > 0.0 ? std::exp2(std::floor(std::log2(0.1 * flux / area))) : 0.0;
 }
 
 /// Of values: not beyond what sampling a measured opening can tell.
@@ -110,7 +108,10 @@ double share_at_points(const Settings& settings) { return std::max(settings.accu
 constexpr double not_cancelled = 0.1;  // of the errors of many patches, in a value that gathers from all
 
 /// Of means over patches: their errors are those of many patches and all but cancel in a value.
-double share_of_means(const Settings& settings) { return std::clamp(3.0 * settings.accuracy, 1e-3, 1e-2); }
+constexpr double least_share_of_means = 1e-3, most_share_of_means = 1e-2;
+double share_of_means(const Settings& settings) {
+    return std::clamp(3.0 * settings.accuracy, least_share_of_means, most_share_of_means);
+}
 
 std::vector<double> nothing(std::size_t count) { return std::vector<double>(count, 0.0); }
 
@@ -141,7 +142,7 @@ struct Study::Stages {
         Work work;
         StageClock clock;
         std::shared_ptr<Solution> solution;
-        Accuracy at_points, of_means;  ///< of direct light
+        Accuracy at_points, of_means, while_dragged;  ///< of direct light; `of_means` for the answer that stays
         std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
         LevelInput fine_input() const;
     };
@@ -171,7 +172,7 @@ LevelInput Study::Stages::Run::fine_input() const {
     input.plan = &solution->plan;
     input.occluders = if_simulated(Effect::occlusion_direct);
     input.patch_occluders = if_simulated(Effect::occlusion_patches);
-    input.direct_accuracy = of_means;
+    input.direct_accuracy = request.live ? while_dragged : of_means;
     input.warm = request.live;
     return input;
 }
@@ -182,8 +183,11 @@ void Study::Stages::prepare(Run& run) {
     run.solution->scene = run.scene;
     run.solution->settings = run.settings;
     run.solution->plan = plan_effects(*run.scene, run.settings);
-    run.at_points = direct_accuracy(*run.scene, share_at_points(run.settings));
-    run.of_means = direct_accuracy(*run.scene, share_of_means(run.settings));
+    const double dim = dim_illuminance(*run.scene);
+    const auto accuracy = [&](double share) { return accuracy_of_each(share, dim, run.scene->luminaires.size()); };
+    run.at_points = accuracy(share_at_points(run.settings));
+    run.of_means = accuracy(share_of_means(run.settings));
+    run.while_dragged = accuracy(most_share_of_means);
 
     run.clock.enter(Stage::meshing);
     refresh(occluders, occluders_of(*run.scene), same_bodies);
@@ -398,7 +402,7 @@ Study::~Study() = default;
 
 SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const StudyRequest& request,
                             const Work& work, const std::function<void(SolutionSnapshot)>& publish) {
-    Stages::Run run{std::move(scene), settings, request, work, StageClock(work.progress), nullptr, {}, {}};
+    Stages::Run run{std::move(scene), settings, request, work, StageClock(work.progress), nullptr, {}, {}, {}};
     run.work.threads = settings.threads > 0 ? settings.threads : hardware_threads();
     stages_->prepare(run);
     if (request.shadows && !stages_->shadows(run)) return nullptr;
