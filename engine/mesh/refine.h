@@ -21,7 +21,7 @@ struct RefinedMesh {
 /// Holds     every patch is a convex polygon of one material that light can reach; vertices of the
 ///           coarser mesh keep place, direction and order within their face, new ones follow them.
 /// Weak when neighbours are cut unequally: the middle of the coarser one's edge is then a vertex of
-///           the finer ones only (hanging_vertices).
+///           the finer ones only.
 /// Cost      about that of making the finer mesh.
 RefinedMesh refined(const Mesh& coarse, std::span<const char> split);
 

@@ -113,8 +113,6 @@ struct Solution {
     int nodes_a_patch = 1;
     std::vector<double> exitance;             ///< lm/m2, solved
     std::vector<double> exitance_half_width;  ///< lm/m2, a bound
-    std::vector<double>
-        patch_exitance_bands;  ///< lm/m2, 3 a patch: in the colour bands; empty when the scene is neutral
 
     /// The second, coarser solution that the mesh part of the error bars is estimated from; null
     /// when it was not asked for.

@@ -37,7 +37,7 @@ inline std::vector<double> values_of(const Solution& solution) {
         for (const PointResult& point : grid.points) add(point.value);
     for (const auto& [face, mean] : solution.face_means) add(mean);
     for (const auto* list : {&solution.patch_direct, &solution.patch_interreflected, &solution.exitance,
-                             &solution.exitance_half_width, &solution.patch_exitance_bands, &solution.coarse_exitance})
+                             &solution.exitance_half_width, &solution.coarse_exitance})
         values.insert(values.end(), list->begin(), list->end());
     const EnergyBalance& energy = solution.energy;
     values.insert(values.end(), {energy.emitted, energy.absorbed, energy.escaped, solution.iteration_bound,
