@@ -2,9 +2,9 @@
 
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "engine/edit/edit.h"
 #include "engine/project/luminaires.h"
 #include "engine/project/project_file.h"
-#include "ui/panels/edit.h"
 #include "ui/window/script.h"
 #include "ui/window/window.h"
 

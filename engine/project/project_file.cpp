@@ -51,6 +51,7 @@ Project read_fields(JsonReading& reading, const JsonValue& root, const std::file
     read_furniture(reader, fields);
     read_surfaces(reader, fields);
     read_photometries(reader, fields);
+    read_control_groups(reader, fields);
     read_luminaires(reader, fields);
     read_calculation(reader, fields);
     read_views(reader, fields);

@@ -96,7 +96,7 @@ void read_luminaires(SceneReader& reader, Fields& root) {
         fields.optional("dimming", luminaire.dimming);
         fields.optional("colour_temperature_k", luminaire.colour_temperature);
         fields.optional("opaque", luminaire.opaque);
-        fields.optional("group", luminaire.group);
+        luminaire.group = take_control_group(reader, fields, "group");
         luminaire.unknown = unknown_of(fields, std::move(kept));
         reader.scene.luminaires.push_back(std::move(luminaire));
     });

@@ -81,8 +81,8 @@ ObjectId SceneReader::take_id(Fields& fields) {
 
 std::uint32_t greatest_id(const JsonValue& root) {
     std::uint32_t greatest = 0;
-    for (const char* list :
-         {"materials", "furniture", "surfaces", "photometries", "luminaires", "grids", "points", "views"})
+    for (const char* list : {"materials", "furniture", "surfaces", "photometries", "luminaires", "grids", "points",
+                             "views", "control_groups", "light_scenes", "arrangements", "object_groups"})
         greatest = std::max(greatest, greatest_in_list(root.find(list)));
     const JsonValue* const room = root.find("room");
     if (room != nullptr) greatest = std::max({greatest, greatest_in(room), greatest_in_list(room->find("sub_areas"))});
@@ -108,6 +108,23 @@ ObjectId take_photometry(SceneReader& reader, Fields& fields, std::string_view k
         return resolve(fields.reading(), *value, fields.path_of(key), "photometry", reader.scene.photometries);
     fields.missing(key, "the name of a photometry");
     return {};
+}
+
+ObjectId take_control_group(SceneReader& reader, Fields& fields, std::string_view key) {
+    const JsonValue* const value = fields.take(key);
+    if (value == nullptr) return {};
+    std::vector<ControlGroup>& groups = reader.scene.control_groups;
+    if (!value->is(JsonValue::Kind::text))
+        return resolve(reader.reading, *value, fields.path_of(key), "control group", groups);
+    const auto named = [&](const ControlGroup& group) { return group.name == value->text; };
+    if (value->text.empty()) return {};
+    if (std::none_of(groups.begin(), groups.end(), named)) {
+        ControlGroup group;
+        group.id = reader.scene.new_id();
+        group.name = value->text;
+        groups.push_back(std::move(group));
+    }
+    return resolve(reader.reading, *value, fields.path_of(key), "control group", groups);
 }
 
 void keep_unknown(Fields& child, std::string_view key, JsonValue& kept) {

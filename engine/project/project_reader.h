@@ -35,6 +35,7 @@ void read_room(SceneReader& reader, Fields& root);
 void read_furniture(SceneReader& reader, Fields& root);
 void read_surfaces(SceneReader& reader, Fields& root);
 void read_photometries(SceneReader& reader, Fields& root);
+void read_control_groups(SceneReader& reader, Fields& root);
 void read_luminaires(SceneReader& reader, Fields& root);
 void read_calculation(SceneReader& reader, Fields& root);  ///< grids and points
 void read_views(SceneReader& reader, Fields& root);
@@ -46,6 +47,8 @@ void read_settings(Settings& settings, Fields& root, JsonValue& kept);
 ObjectId take_material(SceneReader& reader, Fields& fields, std::string_view key);
 ObjectId material_of(SceneReader& reader, const JsonValue& value, const std::string& path);
 ObjectId take_photometry(SceneReader& reader, Fields& fields, std::string_view key);
+/// A name that no control group has yet makes one; absent or empty it is none.
+ObjectId take_control_group(SceneReader& reader, Fields& fields, std::string_view key);
 
 /// Adds a child's unknown fields to those kept with its parent.
 void keep_unknown(Fields& child, std::string_view key, JsonValue& kept);

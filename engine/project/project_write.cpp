@@ -137,7 +137,8 @@ JsonValue json_of(const Project& project) {
     if (scene.room.has_value()) root.add("room", json_of(*scene.room, materials));
     add_objects(root, "furniture", scene.furniture, materials);
     add_objects(root, "surfaces", scene.surfaces, materials);
-    add_objects(root, "luminaires", scene.luminaires, References(scene.photometries));
+    add_objects(root, "control_groups", scene.control_groups);
+    add_objects(root, "luminaires", scene.luminaires, References(scene.photometries), References(scene.control_groups));
     add_objects(root, "grids", scene.grids);
     add_objects(root, "points", scene.points);
     add_objects(root, "views", scene.views);

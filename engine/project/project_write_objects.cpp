@@ -115,7 +115,7 @@ JsonValue json_of(const FreeSurface& surface, const References& materials) {
     return object;
 }
 
-JsonValue json_of(const Luminaire& luminaire, const References& photometries) {
+JsonValue json_of(const Luminaire& luminaire, const References& photometries, const References& groups) {
     JsonValue object = json_object(luminaire.id, luminaire.name);
     object.add("position", json_of(luminaire.position));
     add_angle(object, "yaw_deg", luminaire.yaw);
@@ -128,7 +128,7 @@ JsonValue json_of(const Luminaire& luminaire, const References& photometries) {
     if (luminaire.colour_temperature != 0.0)
         object.add("colour_temperature_k", json_number(luminaire.colour_temperature));
     if (luminaire.opaque) object.add("opaque", json_boolean(true));
-    if (!luminaire.group.empty()) object.add("group", json_text(luminaire.group));
+    if (luminaire.group) object.add("group", groups.of(luminaire.group));
     add_unknown(object, luminaire.unknown);
     return object;
 }

@@ -29,7 +29,8 @@ private:
 
 JsonValue json_of(const Project& project);
 JsonValue json_of(const Photometry& photometry);
-JsonValue json_of(const Luminaire& luminaire, const References& photometries);
+JsonValue json_of(const Luminaire& luminaire, const References& photometries, const References& groups);
+JsonValue json_of(const ControlGroup& group);
 JsonValue json_of(const Room& room, const References& materials);
 JsonValue json_of(const Furniture& furniture, const References& materials);
 JsonValue json_of(const FreeSurface& surface, const References& materials);

@@ -88,6 +88,21 @@ struct Part {
     bool operator==(const Part&) const = default;
 };
 
+/// One size of a furniture model, by the name the library gives it ("width").
+struct ModelSize {
+    std::string name;
+    double metres = 1.0;
+    bool operator==(const ModelSize&) const = default;
+};
+
+/// What of the furniture library a piece was made from (engine/edit/furniture_library.h). Its parts
+/// follow from it when a size is changed; parts edited by themselves lose the model.
+struct FurnitureModel {
+    std::string kind;              ///< "desk"; empty: of no model
+    std::vector<ModelSize> sizes;  ///< those that differ from the library's are enough
+    bool operator==(const FurnitureModel&) const = default;
+};
+
 /// A desk, a shelf, a machine: a group of solid parts moved as one.
 struct Furniture {
     ObjectId id;
@@ -96,6 +111,7 @@ struct Furniture {
     double rotation = 0.0;  ///< rad, about z
     std::vector<Part> parts;
     UnknownFields unknown;
+    FurnitureModel model{};
     bool operator==(const Furniture&) const = default;
 };
 
@@ -179,9 +195,81 @@ struct Luminaire {
     double dimming = 1.0;             ///< 0 to 1, share of the full output
     double colour_temperature = 0.0;  ///< K, of its light; 0: neutral, white as the project's pictures show it
     bool opaque = false;              ///< its opening hides what lies behind it, and reflects nothing
-    std::string group;                ///< luminaires of one name are dimmed together in the window; may be empty
+    ObjectId group;                   ///< the ControlGroup that dims it; may be none
     UnknownFields unknown;
     bool operator==(const Luminaire&) const = default;
+};
+
+/// Luminaires that are dimmed together: a dimmer on the wall.
+struct ControlGroup {
+    ObjectId id;
+    std::string name;
+    double dimming = 1.0;             ///< 0 to 1, times the dimming of each of its luminaires
+    double colour_temperature = 0.0;  ///< K, of all its luminaires; 0: each keeps its own
+    UnknownFields unknown;
+    bool operator==(const ControlGroup&) const = default;
+};
+
+/// A preset of dimmers: "Lecture", "Cleaning". Recalled, it sets the groups it names.
+struct LightScene {
+    struct Level {
+        ObjectId group;
+        double dimming = 1.0;  ///< 0 to 1
+        bool operator==(const Level&) const = default;
+    };
+    ObjectId id;
+    std::string name;
+    std::vector<Level> levels;
+    UnknownFields unknown;
+    bool operator==(const LightScene&) const = default;
+};
+
+// How an arrangement places its luminaires. Heights are the z of each luminaire's own place.
+
+/// `count` luminaires from the first place to the last.
+struct LineLayout {
+    Vec3 from{0.0}, to{1.0, 0.0, 0.0};
+    int count = 2;
+    bool operator==(const LineLayout&) const = default;
+};
+/// Rows x columns over a parallelogram, half a spacing from its borders.
+struct FieldLayout {
+    Vec3 corner{0.0};
+    Vec3 along{1.0, 0.0, 0.0};   ///< m, the side that the columns divide
+    Vec3 across{0.0, 1.0, 0.0};  ///< m, the side that the rows divide
+    int columns = 2, rows = 2;
+    bool operator==(const FieldLayout&) const = default;
+};
+/// `count` luminaires at equal angles about a middle.
+struct CircleLayout {
+    Vec3 middle{0.0};
+    double radius = 1.0;
+    int count = 6;
+    double first_angle = 0.0;   ///< rad
+    bool face_outward = false;  ///< each is turned by its angle
+    bool operator==(const CircleLayout&) const = default;
+};
+using Layout = std::variant<LineLayout, FieldLayout, CircleLayout>;
+
+/// Luminaires that hang as a layout says. They are ordinary luminaires of the scene; their places
+/// follow from the layout when it is changed. A luminaire moved by itself leaves the arrangement.
+struct Arrangement {
+    ObjectId id;
+    std::string name;
+    Layout layout;
+    double yaw = 0.0;                  ///< rad, of every luminaire
+    std::vector<ObjectId> luminaires;  ///< in the layout's order
+    UnknownFields unknown;
+    bool operator==(const Arrangement&) const = default;
+};
+
+/// Objects that are chosen and moved as one.
+struct ObjectGroup {
+    ObjectId id;
+    std::string name;
+    std::vector<ObjectId> members;  ///< furniture, surfaces, luminaires, grids, points; each in one group at most
+    UnknownFields unknown;
+    bool operator==(const ObjectGroup&) const = default;
 };
 
 /// Points at the centres of the cells of a parallelogram.
@@ -205,6 +293,13 @@ struct CalculationPoint {
     bool operator==(const CalculationPoint&) const = default;
 };
 
+/// A plane that a picture is cut at: the half space dot(normal, x) > offset is left out.
+struct Cut {
+    Vec3 normal{0.0, 0.0, 1.0};  ///< unit
+    double offset = 0.0;         ///< m
+    bool operator==(const Cut&) const = default;
+};
+
 /// A saved camera.
 struct View {
     ObjectId id;
@@ -214,7 +309,17 @@ struct View {
     double field_of_view = 0.9;  ///< rad, vertical
     bool orthographic = false;   ///< then the picture is as high as the field of view at the target
     UnknownFields unknown;
+    bool hides_ceiling = false;  ///< looked into from above, as into a doll's house
+    std::optional<Cut> cut{};    ///< only what lies behind it is drawn
     bool operator==(const View&) const = default;
+};
+
+/// How figures become colours in every picture of the project: one scale, so that pictures compare.
+struct ColourScale {
+    double low = 10.0, high = 1000.0;  ///< lx
+    std::string steps = "log";         ///< log, linear, en (the steps of EN 12464-1)
+    bool marks_clipped = false;        ///< what lies outside the range is shown in colours of its own
+    bool operator==(const ColourScale&) const = default;
 };
 
 struct Scene {
@@ -231,6 +336,11 @@ struct Scene {
     double maintenance_factor = 1.0;  ///< 0 to 1, multiplies every luminaire's output
     std::uint32_t last_id = 0;        ///< the greatest ObjectId ever given
     UnknownFields unknown;
+    std::vector<ControlGroup> control_groups;
+    std::vector<LightScene> light_scenes;
+    std::vector<Arrangement> arrangements;
+    std::vector<ObjectGroup> object_groups;
+    std::optional<ColourScale> colour_scale;  ///< none: fitted to the light
     bool operator==(const Scene&) const = default;
 
     ObjectId new_id() { return ObjectId{++last_id}; }

@@ -23,17 +23,16 @@ LightGroup group_of(const Scene& scene, const std::vector<const Luminaire*>& lum
 }  // namespace
 
 std::vector<LightGroup> light_groups(const Scene& scene) {
-    std::map<std::string, std::vector<const Luminaire*>> named;
+    std::map<ObjectId, std::vector<const Luminaire*>> named;
     std::vector<const Luminaire*> single;
     for (const Luminaire& luminaire : scene.luminaires) {
-        if (luminaire.group.empty()) {
-            single.push_back(&luminaire);
-        } else {
+        if (luminaire.group)
             named[luminaire.group].push_back(&luminaire);
-        }
+        else
+            single.push_back(&luminaire);
     }
     std::vector<LightGroup> groups;
-    for (const auto& [name, members] : named) groups.push_back(group_of(scene, members));
+    for (const auto& [id, members] : named) groups.push_back(group_of(scene, members));
     if (single.size() > most_single_luminaires) {
         groups.push_back(group_of(scene, single));
     } else {

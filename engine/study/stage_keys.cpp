@@ -34,7 +34,7 @@ Scene surfaces_of(const Scene& scene) {
 Luminaire light_of(const Luminaire& luminaire) {
     Luminaire kept = luminaire;
     kept.name.clear();
-    kept.group.clear();
+    kept.group = {};
     kept.unknown.clear();
     kept.dimming = 1.0;
     kept.colour_temperature = 0.0;

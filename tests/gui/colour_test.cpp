@@ -1,7 +1,7 @@
 #include "engine/scene/colour.h"
 
 #include "app/desktop.h"
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 #include "ui/panels/state_text.h"
 #include "ui/window/driver.h"
 

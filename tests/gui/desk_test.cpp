@@ -1,5 +1,5 @@
 #include "app/desktop.h"
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 #include "ui/panels/state_text.h"
 #include "ui/window/driver.h"
 #include "ui/window/script.h"

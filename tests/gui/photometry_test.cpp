@@ -1,7 +1,7 @@
 #include "app/desktop.h"
+#include "engine/edit/edit.h"
+#include "engine/edit/luminaire_edits.h"
 #include "engine/report/photometry_figures.h"
-#include "ui/panels/edit.h"
-#include "ui/panels/luminaire_edits.h"
 #include "ui/panels/state_text.h"
 #include "ui/window/driver.h"
 

@@ -68,6 +68,13 @@ struct Command {
     bool starts_section = false;
 };
 
+// The rows of each menu stand with what they do, in menu_NAME.cpp.
+std::span<const Command> file_menu();
+std::span<const Command> edit_menu();
+std::span<const Command> add_menu();
+std::span<const Command> view_menu();
+std::span<const Command> help_menu();
+
 /// In the order of the menus.
 std::span<const Command> commands();
 const Command& command(CommandId id);

@@ -1,5 +1,6 @@
 #include "ui/panels/form.h"
 
+#include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ void tooltip(const char* text) {
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0F);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(tr(text));
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -48,7 +49,7 @@ void Form::heading(const char* text) {
     ImGui::TableNextColumn();
     ImGui::Dummy({0.0F, 2.0F * style::scale()});
     ImGui::PushFont(style::fonts().strong);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(tr(text));
     ImGui::PopFont();
 }
 
@@ -56,7 +57,7 @@ void Form::label(const char* text, const char* help) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(style::colour(style::quiet_text), "%s", text);
+    ImGui::TextColored(style::colour(style::quiet_text), "%s", tr(text));
     tooltip(help);
     ImGui::TableNextColumn();
     ImGui::SetNextItemWidth(-FLT_MIN);
@@ -176,7 +177,7 @@ bool Form::button(const char* name, const char* label_text, const char* help) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
-    const bool pressed = ImGui::Button(label_text, {-FLT_MIN, 0.0F});
+    const bool pressed = ImGui::Button(fmt::format("{}##{}", tr(label_text), name).c_str(), {-FLT_MIN, 0.0F});
     widgets_.note(name);
     tooltip(help);
     finished_ |= pressed;
@@ -188,7 +189,7 @@ void Form::remark(const std::string& text, bool warning) {
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, warning ? style::warning : style::quiet_text);
-    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::TextWrapped("%s", tr(std::string_view(text)).data());
     ImGui::PopStyleColor();
 }
 

@@ -51,6 +51,10 @@ struct Chord {
     bool operator==(const Chord&) const = default;
 };
 
+/// A letter or digit by itself, and with Ctrl.
+constexpr Chord plain(char capital) { return {key_of(capital)}; }
+constexpr Chord control(char capital, bool shift = false) { return {key_of(capital), true, shift}; }
+
 /// "Ctrl+Shift+Z", "Delete", "F1"; empty for no key.
 std::string to_text(const Chord& chord);
 

@@ -1,5 +1,6 @@
+#include "engine/edit/control_groups.h"
+#include "engine/edit/luminaire_edits.h"
 #include "engine/scene/colour.h"
-#include "ui/panels/luminaire_edits.h"
 #include "ui/panels/photometry_rows.h"
 #include "ui/panels/properties.h"
 #include "ui/panels/property_rows.h"
@@ -154,7 +155,11 @@ std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form
     if (found == scene.luminaires.end()) return std::nullopt;
     Luminaire luminaire = *found;
     bool changed = form.text("luminaire.name", "Name", "What this luminaire is called", luminaire.name);
-    changed |= form.text("luminaire.group", "Group", "Luminaires of one group are dimmed together", luminaire.group);
+    const ControlGroup* const group = find_control_group(scene, luminaire.group);
+    std::string group_name = group != nullptr ? group->name : std::string();
+    const bool regrouped =
+        form.text("luminaire.group", "Group", "Luminaires of one group are dimmed together", group_name);
+    changed |= regrouped;
     form.heading("Light");
     form.fact("Opening", opening_name(luminaire.opening));
     changed |= opening_rows(luminaire, form);
@@ -182,11 +187,10 @@ std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form
         form.toggle("luminaire.opaque", "Hides things", "The opening hides what lies behind it", luminaire.opaque);
     if (!changed) return std::nullopt;
     Scene wished = scene;
-    const std::string group_before = found->group;
+    if (regrouped) luminaire.group = control_group_named(wished, group_name);
     for (Luminaire& other : wished.luminaires) {
         if (other.id == id) other = luminaire;
-        const bool dimmed_along =
-            !group_before.empty() && other.group == group_before && luminaire.dimming != found->dimming;
+        const bool dimmed_along = found->group && other.group == found->group && luminaire.dimming != found->dimming;
         if (dimmed_along) other.dimming = luminaire.dimming;
         if (colour_for_all) other.colour_temperature = luminaire.colour_temperature;
     }

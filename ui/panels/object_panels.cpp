@@ -1,5 +1,5 @@
+#include "engine/edit/edit.h"
 #include "engine/scene/colour.h"
-#include "ui/panels/edit.h"
 #include "ui/panels/properties.h"
 #include "ui/panels/property_rows.h"
 
@@ -203,6 +203,10 @@ std::optional<Scene> project_panel(const Scene& scene, Form& form) {
 std::optional<Scene> object_panel(const Scene& scene, ObjectId id, Form& form) {
     switch (kind_of(scene, id)) {
         case ObjectKind::none:
+        case ObjectKind::control_group:
+        case ObjectKind::light_scene:
+        case ObjectKind::arrangement:
+        case ObjectKind::object_group:
             return project_panel(scene, form);
         case ObjectKind::room:
             return room_panel(scene, form);

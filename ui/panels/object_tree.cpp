@@ -1,6 +1,6 @@
 #include "ui/panels/object_tree.h"
 
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 #include "ui/panels/property_rows.h"
 #include "ui/panels/style.h"
 

@@ -1,8 +1,10 @@
 #include "ui/panels/panel_frame.h"
 
+#include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace hanei {
@@ -36,6 +38,25 @@ void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, flo
         size = std::clamp(size + grows / style::scale(), low, high);
     }
     ImGui::SetCursorScreenPos(keep);
+}
+
+void headline(std::string_view text, std::string_view quiet) {
+    ImGui::PushFont(style::fonts().strong);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopFont();
+    if (!quiet.empty()) {
+        ImGui::SameLine();
+        ImGui::TextColored(style::colour(style::quiet_text), "%.*s", static_cast<int>(quiet.size()), quiet.data());
+    }
+    ImGui::Dummy({0.0F, 2.0F * style::scale()});
+}
+
+bool begin_tab(const char* label, WidgetRegistry& widgets, std::size_t count) {
+    const std::string shown =
+        count == 0 ? fmt::format("{}###{}", tr(label), label) : fmt::format("{}  {}###{}", tr(label), count, label);
+    const bool open = ImGui::BeginTabItem(shown.c_str());
+    widgets.note(fmt::format("tab.{}", label));
+    return open;
 }
 
 }  // namespace hanei

@@ -3,6 +3,10 @@
 
 #include "ui/panels/widget_registry.h"
 
+#include <cstddef>
+#include <string>
+#include <string_view>
+
 namespace hanei {
 
 /// Which side of a panel can be dragged.
@@ -14,5 +18,11 @@ void end_panel();
 
 /// Within a panel: its movable edge. Changes `size` (at scale 1, kept within low and high).
 void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, float high);
+
+/// A title in strong letters with a quiet word behind it.
+void headline(std::string_view text, std::string_view quiet);
+
+/// A tab of the open tab bar, noted as "tab.LABEL"; a count above 0 stands behind the label.
+bool begin_tab(const char* label, WidgetRegistry& widgets, std::size_t count = 0);
 
 }  // namespace hanei

@@ -1,9 +1,9 @@
 /// What the chosen luminaire is measured to shine: its curves, its figures, and what can be done to it.
 #pragma once
 
+#include "engine/edit/luminaire_edits.h"
 #include "engine/report/photometry_figures.h"
 #include "ui/panels/form.h"
-#include "ui/panels/luminaire_edits.h"
 #include "ui/panels/photometry_curves.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #include "ui/panels/probe.h"
 
+#include "engine/edit/edit.h"
 #include "engine/report/numbers.h"
 #include "engine/study/study.h"
-#include "ui/panels/edit.h"
 #include "ui/view/pick.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "ui/panels/results_panel.h"
 
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 #include "ui/panels/form.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/probe.h"

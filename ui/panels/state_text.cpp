@@ -1,6 +1,6 @@
 #include "ui/panels/state_text.h"
 
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 
 #include <fmt/format.h>
 #include <numbers>

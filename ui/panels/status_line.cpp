@@ -1,4 +1,4 @@
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/probe.h"
 #include "ui/panels/style.h"
@@ -69,7 +69,7 @@ void Workbench::status_line(const ScreenRect& area) {
     begin_panel("##status", area);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
-    const Status status = status_of(study_, !how_.repeatable, !selected_);
+    const Status status = status_of(study_, !how_.repeatable, !selection_.primary());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float radius = 4.0F * style::scale();
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, at.y + 0.5F * ImGui::GetTextLineHeight()}, radius,
@@ -77,10 +77,10 @@ void Workbench::status_line(const ScreenRect& area) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 3.5F * radius);
     ImGui::TextUnformatted(status.text.c_str());
     widgets_.note("status");
-    std::string right = message_;
-    if (const auto place = place_of(*document_.shown(), selected_)) {
+    std::string right = viewport_.tool() != nullptr ? viewport_.tool()->hint() : message_;
+    if (const auto place = place_of(*document_.shown(), selection_.primary())) {
         right += fmt::format("{}{}  x {:.2f}  y {:.2f}  z {:.2f} m", right.empty() ? "" : "     ",
-                             display_name(*document_.shown(), selected_), place->x, place->y, place->z);
+                             display_name(*document_.shown(), selection_.primary()), place->x, place->y, place->z);
     }
     right += snaps_ ? "     Snap 0.1 m" : "     Free";
     const float width = ImGui::CalcTextSize(right.c_str()).x;

@@ -1,7 +1,7 @@
 #include "ui/panels/view_bar.h"
 
+#include "engine/edit/edit.h"
 #include "ui/panels/command.h"
-#include "ui/panels/edit.h"
 #include "ui/panels/form.h"
 #include "ui/panels/style.h"
 

@@ -1,6 +1,6 @@
 #include "ui/panels/viewport.h"
 
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 #include "ui/panels/style.h"
 #include "ui/view/legend.h"
 #include "ui/view/pick.h"
@@ -23,13 +23,7 @@ float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
-bool Viewport::Pane::holds(ImVec2 at) const {
-    return at.x >= left && at.x < left + width && at.y >= top && at.y < top + height;
-}
-
-Vec2 Viewport::Pane::within(ImVec2 at) const {
-    return {static_cast<double>((at.x - left) / width), static_cast<double>((at.y - top) / height)};
-}
+Camera& Viewport::camera_of_pane(int) { return state.camera; }
 
 void Viewport::show(const Scene& scene, Preset preset) {
     const bool covered = !state.four_up && pane_.width > 2.0F * right_margin;
@@ -47,20 +41,10 @@ void Viewport::look_at(const Vec3& place) {
     state.camera.target = place;
 }
 
-std::optional<ImVec2> Viewport::on_pane(const Pane& pane, const Vec3& place) const {
-    const std::optional<Vec2> at = projected(state.camera, place, aspect());
-    if (!at) return std::nullopt;
-    return ImVec2(pane.left + static_cast<float>(at->x) * pane.width,
-                  pane.top + static_cast<float>(at->y) * pane.height);
-}
-
-std::optional<ImVec2> Viewport::on_screen(const Vec3& place) const { return on_pane(pane_, place); }
-
 Viewport::Pointed Viewport::pointed(const Scene& scene, ImVec2 at) const {
-    for (int k = 0; k < (state.four_up ? 4 : 1); ++k) {
-        if (!panes_[k].holds(at)) continue;
-        const Vec2 within = panes_[k].within(at);
-        return {ray_through(state.camera, within, aspect()), pick(scene, state.camera, within, aspect())};
+    for (int k = 0; k < pane_count(); ++k) {
+        const Pane& pane = panes_[k];
+        if (pane.holds(at)) return {pane.ray(at), pick(scene, pane.camera, pane.within(at), pane.aspect())};
     }
     return {};
 }
@@ -70,8 +54,8 @@ ViewOptions Viewport::options_of(const Input& input, int k) const {
     look.dark_background = true;
     if (state.four_up) look.part = four_parts[k];
     look.shadow_classes &= !state.four_up;
-    const ObjectKind kind = kind_of(*input.scene, input.selected);
-    look.shadows_of = kind == ObjectKind::luminaire ? input.selected : ObjectId{};
+    const ObjectKind kind = kind_of(*input.scene, input.selection.primary());
+    look.shadows_of = kind == ObjectKind::luminaire ? input.selection.primary() : ObjectId{};
     look.grids |= kind == ObjectKind::grid || kind == ObjectKind::point;
     return look;
 }
@@ -80,9 +64,9 @@ void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
     const int count = state.four_up ? 4 : 1;
     for (int k = 0; k < count; ++k) {
         const Pane& pane = panes_[k];
-        ViewRequest request{k, input.scene, input.solution, state.camera, options_of(input, k), {}, {}, moving()};
+        ViewRequest request{k, input.scene, input.solution, pane.camera, options_of(input, k), {}, {}, moving()};
         request.size = {static_cast<int>(pane.width), static_cast<int>(pane.height)};
-        if (input.selected) request.highlights.selected.push_back(input.selected);
+        request.highlights.selected = input.selection.ids();
         request.highlights.hovered = hovered_;
         if (void* texture = paint(request)) {
             ImGui::GetWindowDrawList()->AddImage(texture, {pane.left, pane.top},
@@ -92,22 +76,29 @@ void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
     }
 }
 
-Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, WidgetRegistry& widgets) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float kept_clear = state.four_up ? right_margin : 0.0F;
-    const Pane all{corner.x, corner.y, std::max(16.0F, std::floor(room.x - kept_clear)),
-                   std::max(16.0F, std::floor(room.y))};
+void Viewport::lay_out_panes(const Pane& all) {
     const float gap = 2.0F;
     const float width = state.four_up ? std::floor((all.width - gap) / 2.0F) : all.width;
     const float height = state.four_up ? std::floor((all.height - gap) / 2.0F) : all.height;
     for (int k = 0; k < 4; ++k) {
         panes_[k] = {all.left + static_cast<float>(k % 2) * (width + gap),
-                     all.top + static_cast<float>(k / 2) * (height + gap), width, height};
+                     all.top + static_cast<float>(k / 2) * (height + gap), width, height, camera_of_pane(k)};
     }
-    const bool reshaped = pane_.width != width || pane_.height != height;
+}
+
+Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, WidgetRegistry& widgets) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float kept_clear = state.four_up ? right_margin : 0.0F;
+    const Pane all{
+        corner.x, corner.y, std::max(16.0F, std::floor(room.x - kept_clear)), std::max(16.0F, std::floor(room.y)), {}};
+    lay_out_panes(all);
+    const bool reshaped = pane_.width != panes_[0].width || pane_.height != panes_[0].height;
     pane_ = panes_[0];
-    if (reshaped && preset_ != nullptr && state.camera == preset_camera_) show(*input.scene, preset_);
+    if (reshaped && preset_ != nullptr && state.camera == preset_camera_) {
+        show(*input.scene, preset_);
+        lay_out_panes(all);
+    }
     ImGui::InvisibleButton(
         "view", {all.width, all.height},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
@@ -117,12 +108,45 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (!ImGui::IsItemActive() || ImGui::IsItemActivated()) {
         active_pane_ = 0;
-        for (int k = 0; k < (state.four_up ? 4 : 1); ++k) {
+        for (int k = 0; k < pane_count(); ++k) {
             if (panes_[k].holds(mouse)) active_pane_ = k;
         }
     }
-    const Pane pane = panes_[active_pane_];
 
+    Outcome outcome = handle_mouse(input, hovered);
+    lay_out_panes(all);  // with the cameras as they are after that
+    pane_ = panes_[0];
+    read_light(input, panes_[active_pane_], hovered);
+    paint_panes(input, paint);
+    ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+    for (int k = 0; k < pane_count(); ++k) {
+        const Pane& each = panes_[k];
+        draw_list.PushClipRect({each.left, each.top}, {each.left + each.width, each.top + each.height}, true);
+        draw_isolux_labels(input, each, k);
+        draw_planes(input, each, widgets);
+        for (ViewOverlay* overlay : input.overlays) overlay->draw(sight_of(input, k, hovered), widgets);
+        if (tool_)
+            tool_->draw(sight_of(input, k, hovered), widgets);
+        else
+            draw_handles(input, each, widgets);
+        if (state.four_up) draw_title(each, heading_of(four_parts[k]));
+        draw_list.PopClipRect();
+    }
+    draw_readout(input, all);
+    return outcome;
+}
+
+PaneSight Viewport::sight_of(const Input& input, int k, bool hovered) const {
+    return {panes_[k], k, input.scene, input.answer, input.selection, input.raster, hovered && active_pane_ == k};
+}
+
+Viewport::Outcome Viewport::handle_mouse(const Input& input, bool hovered) {
+    const Pane pane = panes_[active_pane_];
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (tool_) {
+        look_around(pane);
+        return handle_tool(input, hovered);
+    }
     Outcome outcome;
     if (ImGui::IsItemActivated()) outcome = handle_press(input, pane);
     if (drag_)
@@ -131,44 +155,43 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
         look_around(pane);
     if (!drag_ && ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
         distance(mouse, pressed_at_) < click_slack) {
-        outcome.chosen = pick(*input.scene, state.camera, pane.within(mouse), aspect());
+        outcome.chosen = pick(*input.scene, pane.camera, pane.within(mouse), pane.aspect());
         if (!*outcome.chosen && probe_ && input.scene->room) outcome.chosen = ObjectId{};
     }
-    read_light(input, pane, hovered);
-    paint_panes(input, paint);
-    ImDrawList& draw_list = *ImGui::GetWindowDrawList();
-    for (int k = 0; k < (state.four_up ? 4 : 1); ++k) {
-        const Pane& each = panes_[k];
-        draw_list.PushClipRect({each.left, each.top}, {each.left + each.width, each.top + each.height}, true);
-        draw_isolux_labels(input, each, k);
-        draw_planes(input, each, widgets);
-        draw_handles(input, each, widgets);
-        if (state.four_up) draw_title(each, heading_of(four_parts[k]));
-        draw_list.PopClipRect();
-    }
-    draw_readout(input, all);
+    return outcome;
+}
+
+Viewport::Outcome Viewport::handle_tool(const Input& input, bool hovered) {
+    ViewTool::Outcome wished = tool_->handle(sight_of(input, active_pane_, hovered));
+    Outcome outcome;
+    outcome.moved = std::move(wished.scene);
+    outcome.step = std::move(wished.step);
+    outcome.released = wished.settles;
+    outcome.chosen_by_tool = std::move(wished.chosen);
+    if (wished.finished) tool_.reset();
     return outcome;
 }
 
 void Viewport::look_around(const Pane& pane) {
     const ImGuiIO& io = ImGui::GetIO();
     turning_ = false;
+    Camera& camera = camera_of_pane(active_pane_);
     if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) {
-        state.camera = zoomed(state.camera, std::pow(zoom_a_notch, static_cast<double>(io.MouseWheel)),
-                              pane.within(io.MousePos), aspect());
+        camera = zoomed(camera, std::pow(zoom_a_notch, static_cast<double>(io.MouseWheel)), pane.within(io.MousePos),
+                        pane.aspect());
     }
     if (!ImGui::IsItemActive()) return;
-    const bool left = ImGui::IsMouseDragging(ImGuiMouseButton_Left, click_slack);
+    const bool left = !tool_ && ImGui::IsMouseDragging(ImGuiMouseButton_Left, click_slack);
     const bool right = ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0.0F);
     const bool middle = ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0F);
     if (!left && !right && !middle) return;
     turning_ = true;
     const Vec2 by{static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)};
     if (middle || io.KeyShift) {
-        state.camera = panned(state.camera, by / static_cast<double>(pane.height), aspect());
+        camera = panned(camera, by / static_cast<double>(pane.height), pane.aspect());
     } else {
-        state.camera.orthographic = false;  // a plan that is turned becomes a view again
-        state.camera = orbited(state.camera, turn_rate * by);
+        camera.orthographic = false;  // a plan that is turned becomes a view again
+        camera = orbited(camera, turn_rate * by);
     }
 }
 
@@ -176,14 +199,15 @@ Viewport::Outcome Viewport::handle_press(const Input& input, const Pane& pane) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     pressed_at_ = mouse;
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::GetIO().KeyShift) return {};
-    const std::optional<Vec3> place = place_of(*input.scene, input.selected);
+    const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());
     if (!place) return {};
     const std::optional<Axis> axis = handle_under(input, pane, mouse);
-    const bool on_object = pick(*input.scene, state.camera, pane.within(mouse), aspect()) == input.selected;
+    const bool on_object =
+        pick(*input.scene, pane.camera, pane.within(mouse), pane.aspect()) == input.selection.primary();
     if (!axis && !on_object) return {};
-    const Ray ray = ray_through(state.camera, pane.within(mouse), aspect());
+    const Ray ray = pane.ray(mouse);
     if (const auto gesture = DragGesture::begin(ray, *place, axis, reach_of(*input.scene))) {
-        drag_ = Drag{input.selected, *gesture, *place};
+        drag_ = Drag{input.selection.primary(), *gesture, *place};
     }
     return {};
 }
@@ -195,7 +219,7 @@ Viewport::Outcome Viewport::handle_drag(const Input& input, const Pane& pane) {
     const std::optional<Vec3> present = place_of(*input.scene, drag_->object);
     if (drag_->begun && present) {
         const double raster = io.KeyCtrl ? (input.raster > 0.0 ? 0.0 : 0.1) : input.raster;
-        const Ray ray = ray_through(state.camera, pane.within(io.MousePos), aspect());
+        const Ray ray = pane.ray(io.MousePos);
         drag_->last = drag_->gesture.place(ray, raster, drag_->last);
         if (drag_->last != *present) outcome.moved = moved(*input.scene, drag_->object, drag_->last - *present);
     }
@@ -214,13 +238,13 @@ void Viewport::read_light(const Input& input, const Pane& pane, bool hovered) {
         probed_.at = {-1.0F, -1.0F};
         return;
     }
-    const bool same = probed_.at.x == mouse.x && probed_.at.y == mouse.y && probed_.camera == state.camera &&
+    const bool same = probed_.at.x == mouse.x && probed_.at.y == mouse.y && probed_.camera == pane.camera &&
                       probed_.solution == input.answer && probed_.scene == input.scene;
     if (same) return;
-    probed_ = {mouse, state.camera, input.answer, input.scene};
-    hovered_ = pick(*input.scene, state.camera, pane.within(mouse), aspect());
+    probed_ = {mouse, pane.camera, input.answer, input.scene};
+    hovered_ = pick(*input.scene, pane.camera, pane.within(mouse), pane.aspect());
     probe_.reset();
-    if (input.answer) probe_ = probe_at(*input.answer, ray_through(state.camera, pane.within(mouse), aspect()));
+    if (input.answer) probe_ = probe_at(*input.answer, pane.ray(mouse));
 }
 
 }  // namespace hanei

@@ -2,13 +2,17 @@
 #pragma once
 
 #include "ui/panels/drag.h"
+#include "ui/panels/pane.h"
 #include "ui/panels/probe.h"
 #include "ui/panels/view_painter.h"
+#include "ui/panels/view_tool.h"
 #include "ui/panels/widget_registry.h"
 #include "ui/view/isolux_labels.h"
 
 #include <imgui.h>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace hanei {
@@ -32,14 +36,17 @@ public:
         SceneSnapshot scene;
         SolutionSnapshot solution;  ///< what is drawn
         SolutionSnapshot answer;    ///< what values are read from: the last complete one
-        ObjectId selected;
+        Selection selection;
         double raster = 0.1;  ///< m; 0 is none
         bool stale = false;
+        std::span<ViewOverlay* const> overlays{};
     };
     struct Outcome {
         std::optional<ObjectId> chosen;  ///< clicked; the id of nothing beside everything
         std::optional<Scene> moved;      ///< the scene with the dragged object where it is
         bool released = false;           ///< the drag is over
+        std::string step{};              ///< what was done, when a tool did it
+        std::optional<Selection> chosen_by_tool{};
     };
 
     /// Draws into the rest of the present ImGui window.
@@ -47,6 +54,10 @@ public:
 
     /// What the (first) picture shows: the state with what follows from the selection.
     ViewOptions shown_options(const Input& input) const { return options_of(input, 0); }
+
+    /// A tool in hand takes the left button; null lays it down.
+    void take_up(std::unique_ptr<ViewTool> tool) { tool_ = std::move(tool); }
+    const ViewTool* tool() const { return tool_.get(); }
 
     bool dragging() const { return drag_.has_value(); }
     bool moving() const { return drag_.has_value() || turning_; }
@@ -61,10 +72,10 @@ public:
     float right_edge() const { return panes_[state.four_up ? 1 : 0].left + panes_[0].width; }
 
     /// Where a place of the room is on the screen, in the (first) picture. Empty behind the eye.
-    std::optional<ImVec2> on_screen(const Vec3& place) const;
+    std::optional<ImVec2> on_screen(const Vec3& place) const { return pane_.on_screen(place); }
 
     /// Picture width over height, as drawn last.
-    double aspect() const { return pane_.height > 0.0F ? static_cast<double>(pane_.width / pane_.height) : 1.5; }
+    double aspect() const { return pane_.aspect(); }
 
     /// Pixels at the right that the scale stands in: presets keep the room clear of it.
     float right_margin = 0.0F;
@@ -74,11 +85,6 @@ public:
     void look_at(const Vec3& place);
 
 private:
-    struct Pane {
-        float left = 0.0F, top = 0.0F, width = 0.0F, height = 0.0F;
-        bool holds(ImVec2 at) const;
-        Vec2 within(ImVec2 at) const;  ///< 0 to 1 from its top left
-    };
     struct Drag {
         ObjectId object;
         DragGesture gesture;
@@ -90,7 +96,11 @@ private:
     void show(const Scene& scene, Preset preset);
     void draw_isolux_labels(const Input& input, const Pane& pane, int k);
     void paint_panes(const Input& input, const ViewPainter& paint);
+    int pane_count() const { return state.four_up ? 4 : 1; }
+    void lay_out_panes(const Pane& all);
+    Camera& camera_of_pane(int k);
     void look_around(const Pane& pane);
+    Outcome handle_mouse(const Input& input, bool hovered);
     Outcome handle_press(const Input& input, const Pane& pane);
     Outcome handle_drag(const Input& input, const Pane& pane);
     void read_light(const Input& input, const Pane& pane, bool hovered);
@@ -103,9 +113,9 @@ private:
     void draw_title(const Pane& pane, const std::string& text) const;
     void draw_readout(const Input& input, const Pane& all) const;
     std::optional<Axis> handle_under(const Input& input, const Pane& pane, ImVec2 at) const;
-    std::optional<ImVec2> on_pane(const Pane& pane, const Vec3& place) const;
-    std::vector<std::vector<ImVec2>> on_pane(const Pane& pane, const std::vector<Vec3>& places) const;
-    double handle_length(const Vec3& place) const;
+    double handle_length(const Pane& pane, const Vec3& place) const;
+    PaneSight sight_of(const Input& input, int k, bool hovered) const;
+    Outcome handle_tool(const Input& input, bool hovered);
 
     Pane pane_;  ///< the first picture
     Pane panes_[4];
@@ -113,6 +123,7 @@ private:
     Preset preset_ = nullptr;  ///< what was shown last, and the camera it gave: kept to while it is untouched
     Camera preset_camera_;
     std::optional<Drag> drag_;
+    std::unique_ptr<ViewTool> tool_;
     bool turning_ = false;
     ImVec2 pressed_at_{0.0F, 0.0F};
     std::optional<Probe> probe_;

@@ -1,4 +1,4 @@
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 #include "ui/panels/style.h"
 #include "ui/panels/viewport.h"
 
@@ -52,8 +52,8 @@ void Viewport::draw_isolux_labels(const Input& input, const Pane& pane, int k) {
     if (!look.isolux || look.scale == Scale::photo || !input.solution || moving()) return;
     Labels& kept = labels_[k];
     const PixelSize size{static_cast<int>(pane.width), static_cast<int>(pane.height)};
-    if (kept.solution != input.solution || kept.camera != state.camera || kept.options != look || kept.size != size) {
-        kept = {isolux_labels(*input.solution, state.camera, look, size, style::scale()), input.solution, state.camera,
+    if (kept.solution != input.solution || kept.camera != pane.camera || kept.options != look || kept.size != size) {
+        kept = {isolux_labels(*input.solution, pane.camera, look, size, style::scale()), input.solution, pane.camera,
                 look, size};
     }
     ImFont* font = style::fonts().small;
@@ -68,30 +68,30 @@ void Viewport::draw_isolux_labels(const Input& input, const Pane& pane, int k) {
     }
 }
 
-double Viewport::handle_length(const Vec3& place) const {
-    return handle_share * picture_height_at(state.camera, place);
+double Viewport::handle_length(const Pane& pane, const Vec3& place) const {
+    return handle_share * picture_height_at(pane.camera, place);
 }
 
 std::optional<Axis> Viewport::handle_under(const Input& input, const Pane& pane, ImVec2 at) const {
-    const std::optional<Vec3> place = place_of(*input.scene, input.selected);
+    const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());
     if (!place) return std::nullopt;
     for (const Axis axis : axes) {
-        const auto tip = on_pane(pane, *place + handle_length(*place) * direction_of(axis));
+        const auto tip = pane.on_screen(*place + handle_length(pane, *place) * direction_of(axis));
         if (tip && std::hypot(tip->x - at.x, tip->y - at.y) < grip_radius * style::scale()) return axis;
     }
     return std::nullopt;
 }
 
 void Viewport::draw_handles(const Input& input, const Pane& pane, WidgetRegistry& widgets) {
-    const std::optional<Vec3> place = place_of(*input.scene, input.selected);
-    const std::optional<ImVec2> origin = place ? on_pane(pane, *place) : std::nullopt;
+    const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());
+    const std::optional<ImVec2> origin = place ? pane.on_screen(*place) : std::nullopt;
     if (!origin) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float scale = style::scale();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const std::optional<Axis> under = drag_ ? drag_->gesture.axis : handle_under(input, pane, mouse);
     for (std::size_t k = 0; k < axes.size(); ++k) {
-        const auto tip = on_pane(pane, *place + handle_length(*place) * direction_of(axes[k]));
+        const auto tip = pane.on_screen(*place + handle_length(pane, *place) * direction_of(axes[k]));
         if (!tip || (drag_ && drag_->gesture.axis && drag_->gesture.axis != axes[k])) continue;
         arrow(list, *origin, *tip, under == axes[k] ? style::accent : axis_colours[k], scale);
         if (&pane != &panes_[0]) continue;

@@ -1,6 +1,6 @@
+#include "engine/edit/luminaire_edits.h"
 #include "engine/scene/intensity.h"
 #include "engine/scene/placement.h"
-#include "ui/panels/luminaire_edits.h"
 #include "ui/panels/photometry_plot.h"
 #include "ui/panels/photometry_rows.h"
 #include "ui/panels/style.h"
@@ -54,19 +54,8 @@ void tip(ImVec2 from, ImVec2 to, ImU32 colour) {
 
 }  // namespace
 
-std::vector<std::vector<ImVec2>> Viewport::on_pane(const Pane& pane, const std::vector<Vec3>& places) const {
-    std::vector<std::vector<ImVec2>> runs(1);
-    for (const Vec3& place : places) {
-        if (const auto at = on_pane(pane, place))
-            runs.back().push_back(*at);
-        else if (!runs.back().empty())
-            runs.emplace_back();
-    }
-    return runs;
-}
-
 void Viewport::draw_line(const Pane& pane, const std::vector<Vec3>& places, ImU32 colour, float width) const {
-    for (const std::vector<ImVec2>& run : on_pane(pane, places)) {
+    for (const std::vector<ImVec2>& run : pane.on_screen(places)) {
         if (run.size() > 1)
             ImGui::GetWindowDrawList()->AddPolyline(run.data(), static_cast<int>(run.size()), colour, ImDrawFlags_None,
                                                     width * style::scale());
@@ -75,10 +64,10 @@ void Viewport::draw_line(const Pane& pane, const std::vector<Vec3>& places, ImU3
 
 /// A ring about the chosen luminaire with its planes C0 and C90, in the colours of their curves.
 void Viewport::draw_planes(const Input& input, const Pane& pane, WidgetRegistry& widgets) const {
-    const Luminaire* luminaire = find_luminaire(*input.scene, input.selected);
+    const Luminaire* luminaire = find_luminaire(*input.scene, input.selection.primary());
     const Photometry* photometry = luminaire != nullptr ? photometry_of(*input.scene, *luminaire) : nullptr;
     if (photometry == nullptr) return;
-    const double height = picture_height_at(state.camera, luminaire->position);
+    const double height = picture_height_at(pane.camera, luminaire->position);
     if (state.photometric_body && hangs_together(*photometry))
         draw_body(*luminaire, *photometry, body_share * height, pane);
     const double radius = ring_share * height;
@@ -96,9 +85,9 @@ void Viewport::draw_planes(const Input& input, const Pane& pane, WidgetRegistry&
     constexpr std::array marks{Mark{90.0, "C90", second_plane_ink}, Mark{0.0, "C0", style::accent}};
     for (const Mark& mark : marks) {
         const Vec3 along = in_room(*luminaire, *photometry, mark.plane_deg, 90.0);
-        const auto from = on_pane(pane, luminaire->position + 0.86 * radius * along);
-        const auto to = on_pane(pane, luminaire->position + 1.16 * radius * along);
-        const auto label = on_pane(pane, luminaire->position + 1.36 * radius * along);
+        const auto from = pane.on_screen(luminaire->position + 0.86 * radius * along);
+        const auto to = pane.on_screen(luminaire->position + 1.16 * radius * along);
+        const auto label = pane.on_screen(luminaire->position + 1.36 * radius * along);
         if (!from || !to || !label) continue;
         ImGui::GetWindowDrawList()->AddLine(*from, *to, shade_ink, 4.0F * style::scale());
         ImGui::GetWindowDrawList()->AddLine(*from, *to, mark.colour, 2.0F * style::scale());

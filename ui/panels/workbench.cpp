@@ -1,6 +1,6 @@
 #include "ui/panels/workbench.h"
 
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 #include "ui/panels/style.h"
 #include "ui/panels/view_bar.h"
 
@@ -29,6 +29,8 @@ void Workbench::read_keys() {
                            ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     if (menu_open && ImGui::IsKeyPressed(static_cast<int>(Key::escape))) return ImGui::ClosePopupToLevel(0, true);
     if (blocked || menu_open) return;
+    if (viewport_.tool() != nullptr && ImGui::IsKeyPressed(static_cast<int>(Key::escape)))
+        return viewport_.take_up(nullptr);
     for (int k = 1; k < key_count; ++k) {
         if (!ImGui::IsKeyPressed(k, k >= static_cast<int>(Key::right) && k <= static_cast<int>(Key::page_down)))
             continue;
@@ -72,9 +74,9 @@ void Workbench::draw(const ViewPainter& paint) {
     const float top = ImGui::GetFrameHeight();
     const float status = 28.0F * scale;
     const ScreenRect all{0.0F, top, screen.x, screen.y - status};
-    const float left_edge = left_width_ * scale;
-    const float right_edge = all.right - right_width_ * scale;
-    const float bottom_edge = all.bottom - bottom_height_ * scale;
+    const float left_edge = preferences_.left_width * scale;
+    const float right_edge = all.right - preferences_.right_width * scale;
+    const float bottom_edge = all.bottom - preferences_.bottom_height * scale;
     // Fields first: what was typed there is finished by a click elsewhere, before that click counts.
     right({right_edge + 1.0F, all.top, all.right, all.bottom});
     left({all.left, all.top, left_edge, all.bottom});

@@ -1,15 +1,17 @@
 /// The whole desktop but the platform: fed by ImGui's input, drawn by ImGui, painted by a ViewPainter.
 #pragma once
 
+#include "engine/edit/edit.h"
 #include "ui/panels/command.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/document.h"
-#include "ui/panels/edit.h"
 #include "ui/panels/exact_panel.h"
 #include "ui/panels/file_browser.h"
 #include "ui/panels/form.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/photometry_panel.h"
+#include "ui/panels/preferences.h"
+#include "ui/panels/selection.h"
 #include "ui/panels/viewport.h"
 
 #include <deque>
@@ -38,8 +40,9 @@ public:
     void ask_to_quit();  ///< as the window's close button does
     bool wants_to_quit() const { return quits_; }
 
-    void choose(ObjectId id) { selected_ = id; }
-    ObjectId chosen() const { return selected_; }
+    void choose(ObjectId id) { selection_.choose(id); }
+    ObjectId chosen() const { return selection_.primary(); }
+    const Selection& selection() const { return selection_; }
 
     const Document& document() const { return document_; }
     const LiveStudy& study() const { return study_; }
@@ -49,12 +52,26 @@ public:
     const Dialogs& dialogs() const { return dialogs_; }
     const FileBrowser& browser() const { return browser_; }
     const PhotometryPanel& photometry() const { return photometry_; }
+    const Preferences& preferences() const { return preferences_; }
     const std::string& message() const { return message_; }
     bool is_snapping() const { return snaps_; }
     long frames() const { return frames_; }
     std::string title() const;  ///< for the window's frame
 
 private:
+    struct Menu;
+    static const Menu& menu_of(CommandId id);
+    bool can_file(CommandId id) const;
+    bool can_edit(CommandId id) const;
+    bool can_add(CommandId id) const;
+    bool can_view(CommandId id) const;
+    bool can_help(CommandId id) const;
+    void do_file(CommandId id);
+    void do_edit(CommandId id);
+    void do_add(CommandId id);
+    void do_view(CommandId id);
+    void do_help(CommandId id);
+
     void read_keys();
     void follow_study();
     void settle();
@@ -109,8 +126,9 @@ private:
     Dialogs dialogs_;
     FileBrowser browser_;
 
+    std::vector<ViewOverlay*> overlays_;  ///< in the order in which they are drawn
     Arrival arrival_;
-    ObjectId selected_;
+    Selection selection_;
     bool snaps_ = true;
     bool quits_ = false;
     bool shows_overview_ = true;  ///< once the view has a size
@@ -118,7 +136,7 @@ private:
     std::string message_;
     std::filesystem::path picture_;  ///< to be written after this frame
     long frames_ = 0;
-    float left_width_ = 224.0F, right_width_ = 292.0F, bottom_height_ = 196.0F;  ///< at scale 1
+    Preferences preferences_;
 };
 
 }  // namespace hanei

@@ -1,5 +1,5 @@
+#include "engine/edit/edit.h"
 #include "engine/scene/faces.h"
-#include "ui/panels/edit.h"
 #include "ui/panels/workbench.h"
 #include "ui/view/offscreen.h"
 
@@ -31,7 +31,7 @@ void Workbench::load(const std::filesystem::path& file) {
     }
     if (!opened.content) return;
     document_ = Document(std::move(*opened.content), file);
-    selected_ = {};
+    selection_.clear();
     viewport_.state.range_fitted = false;
     shows_overview_ = true;
     message_ = "Opened " + file.filename().string();
@@ -62,7 +62,7 @@ void Workbench::ask_for_picture() {
 PictureRequest Workbench::picture_request() const {
     const PixelSize size{1600, static_cast<int>(1600.0 / viewport_.aspect())};
     PictureRequest request{viewport_.state.camera, viewport_.state.options, size, true, {}};
-    request.options.shadows_of = selected_;
+    request.options.shadows_of = selection_.primary();
     return request;
 }
 

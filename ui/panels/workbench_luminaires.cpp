@@ -1,3 +1,4 @@
+#include "engine/edit/hanging.h"
 #include "engine/scene/colour.h"
 #include "ui/panels/hanging.h"
 #include "ui/panels/workbench.h"
@@ -34,7 +35,7 @@ void Workbench::add_luminaire_file() {
 void Workbench::replace_luminaire_file() {
     browser_.open({"Use another luminaire file", "Use", luminaire_endings(), false, folder(), ""},
                   [this](const std::filesystem::path& file) {
-                      receive({{file}, {}, {}, {}, selected_});
+                      receive({{file}, {}, {}, {}, selection_.primary()});
                   });
 }
 
@@ -52,14 +53,14 @@ void Workbench::drop(const std::vector<std::filesystem::path>& files) {
     const SceneSnapshot scene = document_.shown();
     const Viewport::Pointed pointed = viewport_.pointed(*scene, ImGui::GetIO().MousePos);
     Arrival arrival{{files.begin(), files.end()}, {}, {}, place_in_plan(*scene, pointed.ray, raster()), {}};
-    const bool on_luminaire = find_luminaire(*scene, selected_) != nullptr;
-    const bool on_chosen = on_luminaire && pointed.object == selected_;
+    const bool on_luminaire = find_luminaire(*scene, selection_.primary()) != nullptr;
+    const bool on_chosen = on_luminaire && pointed.object == selection_.primary();
     const bool beside_view = on_luminaire && !pointed.ray && ImGui::GetIO().MousePos.x > viewport_.right_edge();
     if (files.size() > 1 || !(on_chosen || beside_view)) return receive(std::move(arrival));
     Arrival instead = arrival;
-    instead.replaced = selected_;
+    instead.replaced = selection_.primary();
     if (beside_view || ImGui::GetIO().KeyShift) return receive(std::move(instead));
-    const std::string name = display_name(*scene, selected_);
+    const std::string name = display_name(*scene, selection_.primary());
     dialogs_.ask_choice("Dropped on a luminaire", files.front().filename().string() + " was dropped on " + name + ".",
                         {"Give its light to " + name, "Hang a luminaire of it here"},
                         [this, arrival, instead](std::size_t k) { receive(k == 0 ? instead : arrival); });

@@ -1,6 +1,6 @@
 #include "ui/window/driver.h"
 
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
 #include "ui/panels/properties.h"
 
+#include "engine/edit/edit.h"
 #include "engine/scene/colour.h"
 #include "engine/scene/scene_check.h"
-#include "ui/panels/edit.h"
 #include "ui/panels/key.h"
 #include "ui/panels/style.h"
 
@@ -143,7 +143,8 @@ TEST_F(APanel, slides_a_figure_that_is_dragged) {
 TEST_F(APanel, dims_all_luminaires_of_a_group_together) {
     Added first = with_panel_luminaire(scene);
     Added second = with_panel_luminaire(first.scene);
-    for (Luminaire& luminaire : second.scene.luminaires) luminaire.group = "rows";
+    second.scene.control_groups.push_back({second.scene.new_id(), "rows", 1.0, 0.0, {}});
+    for (Luminaire& luminaire : second.scene.luminaires) luminaire.group = second.scene.control_groups.back().id;
     show(second);
     type_into("luminaire.dimming", "40");
     key(Key::enter);

@@ -67,7 +67,8 @@ inline void add_luminaires_of_every_kind(Scene& scene) {
     first.dimming = 0.7;
     first.colour_temperature = 8000.0 / 3.0;
     first.opaque = true;
-    first.group = "row 1";
+    scene.control_groups.push_back({scene.new_id(), "row 1", 0.5, 3000.0, {}});
+    first.group = scene.control_groups.back().id;
     first.unknown = R"({"serial": 12345678901234567890, "opening": {"glass": "opal"}})";
     add(PointOpening{}, CosinePower{4.5}, LuminousFlux{10});
     add(LineOpening{{-0.6, 0, 0}, {0.6, 0, 0.1}}, Diffuse{}, LuminousFlux{3200});

@@ -72,7 +72,8 @@ inline Scene grouped_office() {
     Scene scene = small_office();
     for (const double x : {2.0, 4.0}) {
         scene.luminaires.push_back(panel(scene, {x, 0.6, 2.6}, {1.0, 0.2}, 1500.0));
-        scene.luminaires.back().group = "wall";
+        if (scene.control_groups.empty()) scene.control_groups.push_back({scene.new_id(), "wall", 1.0, 0.0, {}});
+        scene.luminaires.back().group = scene.control_groups.back().id;
     }
     scene.photometries.push_back(beam(scene, 3.0));
     scene.luminaires.back().opening = MeasuredOpening{};

@@ -1,7 +1,7 @@
-#include "ui/panels/luminaire_edits.h"
+#include "engine/edit/luminaire_edits.h"
 
 #include "engine/scene/intensity.h"
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
 
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "ui/panels/luminaire_edits.h"
+#include "engine/edit/luminaire_edits.h"
 
 #include "engine/scene/colour.h"
 

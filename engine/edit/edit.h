@@ -8,7 +8,21 @@
 
 namespace hanei {
 
-enum class ObjectKind { none, room, furniture, surface, luminaire, grid, point, view, material };
+enum class ObjectKind {
+    none,
+    room,
+    furniture,
+    surface,
+    luminaire,
+    grid,
+    point,
+    view,
+    material,
+    control_group,
+    light_scene,
+    arrangement,
+    object_group,
+};
 
 ObjectKind kind_of(const Scene& scene, ObjectId id);
 std::string_view name_of(ObjectKind kind);  ///< "luminaire", "calculation grid", ...

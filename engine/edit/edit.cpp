@@ -1,28 +1,11 @@
-#include "ui/panels/edit.h"
+#include "engine/edit/edit.h"
+
+#include "engine/edit/with_object.h"
 
 #include <algorithm>
 
 namespace hanei {
 namespace {
-
-/// Calls `visit(object, kind)` for the object of this id, in whichever list it stands.
-template <class SceneType, class Visit>
-void with_object(SceneType& scene, ObjectId id, const Visit& visit) {
-    if (!id) return;
-    const auto search = [&](auto& list, ObjectKind kind) {
-        for (auto& object : list) {
-            if (object.id == id) visit(object, kind);
-        }
-    };
-    if (scene.room && scene.room->id == id) visit(*scene.room, ObjectKind::room);
-    search(scene.furniture, ObjectKind::furniture);
-    search(scene.surfaces, ObjectKind::surface);
-    search(scene.luminaires, ObjectKind::luminaire);
-    search(scene.grids, ObjectKind::grid);
-    search(scene.points, ObjectKind::point);
-    search(scene.views, ObjectKind::view);
-    search(scene.materials, ObjectKind::material);
-}
 
 Vec3 centroid(const Polygon& outline) {
     Vec3 sum{0.0};
@@ -97,6 +80,14 @@ std::string_view name_of(ObjectKind kind) {
             return "view";
         case ObjectKind::material:
             return "material";
+        case ObjectKind::control_group:
+            return "control group";
+        case ObjectKind::light_scene:
+            return "light scene";
+        case ObjectKind::arrangement:
+            return "arrangement";
+        case ObjectKind::object_group:
+            return "group";
     }
     return {};
 }
@@ -149,6 +140,22 @@ bool can_remove(ObjectKind kind) {
     return kind != ObjectKind::none && kind != ObjectKind::room && kind != ObjectKind::material;
 }
 
+namespace {
+
+/// Nothing names the object any longer; arrangements and groups that are left empty go with it.
+void forget(Scene& scene, ObjectId id) {
+    for (Luminaire& luminaire : scene.luminaires)
+        if (luminaire.group == id) luminaire.group = {};
+    for (LightScene& light_scene : scene.light_scenes)
+        std::erase_if(light_scene.levels, [&](const LightScene::Level& level) { return level.group == id; });
+    for (Arrangement& arrangement : scene.arrangements) std::erase(arrangement.luminaires, id);
+    for (ObjectGroup& group : scene.object_groups) std::erase(group.members, id);
+    std::erase_if(scene.arrangements, [](const Arrangement& arrangement) { return arrangement.luminaires.empty(); });
+    std::erase_if(scene.object_groups, [](const ObjectGroup& group) { return group.members.empty(); });
+}
+
+}  // namespace
+
 Scene removed(Scene scene, ObjectId id) {
     erase(scene.furniture, id);
     erase(scene.surfaces, id);
@@ -156,6 +163,11 @@ Scene removed(Scene scene, ObjectId id) {
     erase(scene.grids, id);
     erase(scene.points, id);
     erase(scene.views, id);
+    erase(scene.control_groups, id);
+    erase(scene.light_scenes, id);
+    erase(scene.arrangements, id);
+    erase(scene.object_groups, id);
+    forget(scene, id);
     return scene;
 }
 

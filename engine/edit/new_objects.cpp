@@ -1,5 +1,5 @@
-#include "ui/panels/edit.h"
-#include "ui/panels/hanging.h"
+#include "engine/edit/edit.h"
+#include "engine/edit/hanging.h"
 
 #include <algorithm>
 #include <cmath>

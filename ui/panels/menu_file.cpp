@@ -1,0 +1,65 @@
+#include "engine/edit/edit.h"
+#include "engine/edit/luminaire_edits.h"
+#include "ui/panels/workbench.h"
+
+#include <array>
+
+namespace hanei {
+namespace {
+
+using enum CommandId;
+
+constexpr std::array table{
+    Command{open, "file.open", "File", "Open...", "Open a project", control('O')},
+    Command{save, "file.save", "File", "Save", "Save the project under its name", control('S')},
+    Command{save_as, "file.save_as", "File", "Save as...", "Save the project under another name", control('S', true)},
+    Command{export_picture,
+            "file.export",
+            "File",
+            "Export picture...",
+            "Write the view as two PNG files: with legend and caption, and plain",
+            control('E'),
+            {},
+            true},
+    Command{render_exact, "file.render_exact", "File", "Render exact picture...",
+            "Paint the view with direct light exact at every pixel, in the background, to look at and to save",
+            control('R')},
+    Command{quit, "file.quit", "File", "Quit", "Close the window", control('Q'), {}, true},
+};
+
+}  // namespace
+
+std::span<const Command> file_menu() { return table; }
+
+bool Workbench::can_file(CommandId id) const {
+    switch (id) {
+        case CommandId::export_picture:
+            return study_.solution() != nullptr;
+        case CommandId::render_exact:
+            return study_.fresh() && !viewport_.state.options.shadow_classes &&
+                   has_part(*study_.solution(), viewport_.state.options.part);
+        default:
+            return true;
+    }
+}
+
+void Workbench::do_file(CommandId id) {
+    switch (id) {
+        case CommandId::open:
+            return guarded([this] { open_file(); });
+        case CommandId::save:
+            return save(false);
+        case CommandId::save_as:
+            return save(true);
+        case CommandId::export_picture:
+            return ask_for_picture();
+        case CommandId::render_exact:
+            return exact_.start(study_.solution(), picture_request());
+        case CommandId::quit:
+            return ask_to_quit();
+        default:
+            return;
+    }
+}
+
+}  // namespace hanei

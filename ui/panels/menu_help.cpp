@@ -1,0 +1,34 @@
+#include "engine/edit/edit.h"
+#include "engine/edit/luminaire_edits.h"
+#include "ui/panels/workbench.h"
+
+#include <array>
+
+namespace hanei {
+namespace {
+
+using enum CommandId;
+
+constexpr std::array table{
+    Command{show_keys, "help.keys", "Help", "Keys and mouse", "This list", {Key::f1}, {Key::slash, false, true}},
+    Command{show_about, "help.about", "Help", "About Hanei", "What this program is, and its licence", {}},
+};
+
+}  // namespace
+
+std::span<const Command> help_menu() { return table; }
+
+bool Workbench::can_help(CommandId) const { return true; }
+
+void Workbench::do_help(CommandId id) {
+    switch (id) {
+        case CommandId::show_keys:
+            return dialogs_.show_keys();
+        case CommandId::show_about:
+            return dialogs_.show_about();
+        default:
+            return;
+    }
+}
+
+}  // namespace hanei

@@ -1,0 +1,26 @@
+/// What the user likes, kept for all projects: not part of any scene and not of undo.
+#pragma once
+
+#include "ui/panels/language.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace hanei {
+
+enum class Theme { dark, light };
+enum class LengthUnit { metre, centimetre, millimetre, feet_inches };
+enum class IlluminanceUnit { lux, foot_candle };
+
+struct Preferences {
+    Language language = Language::english;
+    Theme theme = Theme::dark;
+    double scale = 0.0;  ///< of letters and distances, 1 to 3; 0: as the screen says
+    LengthUnit length = LengthUnit::metre;
+    IlluminanceUnit illuminance = IlluminanceUnit::lux;
+    float left_width = 224.0F, right_width = 292.0F, bottom_height = 196.0F;  ///< of the panels, at scale 1
+    std::vector<std::filesystem::path> recent;                                ///< projects, the newest first
+    bool operator==(const Preferences&) const = default;
+};
+
+}  // namespace hanei

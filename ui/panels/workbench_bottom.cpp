@@ -1,0 +1,45 @@
+#include "ui/panels/panel_frame.h"
+#include "ui/panels/results_panel.h"
+#include "ui/panels/workbench.h"
+
+#include <imgui.h>
+
+namespace hanei {
+
+void Workbench::bottom(const ScreenRect& area) {
+    begin_panel("##bottom", area);
+    movable_edge(Edge::top, area, preferences_.bottom_height, 90.0F, 460.0F);
+    const SolutionSnapshot solution = study_.answer();  // results on the way have no values yet
+    const bool measured = !how_.repeatable;
+    if (ImGui::BeginTabBar("tables")) {
+        if (begin_tab("Results", widgets_)) {
+            const bool any = solution && (!solution->grids.empty() || !solution->points.empty());
+            if (!solution)
+                ImGui::TextDisabled("The first values are being computed.");
+            else if (!any)
+                ImGui::TextDisabled("No calculation grid or point yet: Add > Calculation grid.");
+            else if (const auto clicked = results_table(*solution, selection_.primary(), widgets_))
+                selection_.choose(*clicked);
+            ImGui::EndTabItem();
+        }
+        if (begin_tab("Effects", widgets_)) {
+            if (solution) effects_table(solution->plan, measured);
+            ImGui::EndTabItem();
+        }
+        if (begin_tab("Energy", widgets_)) {
+            if (solution) energy_table(*solution, measured);
+            ImGui::EndTabItem();
+        }
+        const std::size_t found = study_.findings().size();
+        if (begin_tab("Checks", widgets_, found)) {
+            if (found == 0) ImGui::TextDisabled("Nothing is wrong with the scene.");
+            if (const auto clicked = findings_table(*document_.shown(), study_.findings(), widgets_))
+                selection_.choose(*clicked);
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
+    end_panel();
+}
+
+}  // namespace hanei

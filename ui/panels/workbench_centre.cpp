@@ -1,0 +1,41 @@
+#include "engine/edit/edit.h"
+#include "ui/panels/panel_frame.h"
+#include "ui/panels/style.h"
+#include "ui/panels/view_bar.h"
+#include "ui/panels/workbench.h"
+
+#include <imgui_internal.h>
+
+namespace hanei {
+
+void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
+    const float scale = style::scale();
+    const float bar = ImGui::GetFrameHeight() + 12.0F * scale;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * scale, 6.0F * scale});
+    begin_panel("##bar", {area.left, area.top, area.right, area.top + bar});
+    ImGui::PopStyleVar();
+    view_bar(viewport_.state, *document_.shown(), study_.solution(), widgets_);
+    end_panel();
+    const ScreenRect view{area.left, area.top + bar, area.right, area.bottom};
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);
+    begin_panel("##view", view, false);
+    const Viewport::Input input{document_.shown(), study_.solution(), study_.answer(), selection_,
+                                raster(),          !study_.fresh(),   overlays_};
+    const Viewport::Outcome outcome = viewport_.draw(input, paint, widgets_);
+    if (viewport_.shown_options(input).shadow_classes)
+        class_legend(viewport_.shown_options(input), study_.solution(), view, widgets_);
+    else
+        legend(viewport_.state, view, widgets_);
+    end_panel();
+    ImGui::PopStyleColor();
+    if (outcome.chosen) selection_.choose(*outcome.chosen);
+    if (outcome.chosen_by_tool) selection_ = *outcome.chosen_by_tool;
+    if (outcome.moved) {
+        gesture_item_ = ImGui::GetCurrentContext()->ActiveId;
+        const ObjectKind kind = kind_of(*outcome.moved, selection_.primary());
+        document_.propose(*outcome.moved, outcome.step.empty() ? "Move " + std::string(name_of(kind)) : outcome.step);
+    }
+    if (outcome.released) document_.settle();
+}
+
+}  // namespace hanei

@@ -1,0 +1,23 @@
+#include "ui/panels/language.h"
+#include "ui/panels/object_tree.h"
+#include "ui/panels/panel_frame.h"
+#include "ui/panels/workbench.h"
+
+#include <imgui.h>
+
+namespace hanei {
+
+void Workbench::left(const ScreenRect& area) {
+    begin_panel("##left", area);
+    movable_edge(Edge::right, area, preferences_.left_width, 140.0F, 420.0F);
+    headline(tr("Objects"), "");
+    ImGui::BeginChild("tree");
+    if (const auto clicked = object_tree(*document_.shown(), selection_.primary(), widgets_))
+        selection_.choose(*clicked);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemHovered())
+        selection_.clear();
+    ImGui::EndChild();
+    end_panel();
+}
+
+}  // namespace hanei

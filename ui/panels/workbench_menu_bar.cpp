@@ -1,0 +1,49 @@
+#include "ui/panels/language.h"
+#include "ui/panels/style.h"
+#include "ui/panels/workbench.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace hanei {
+
+void Workbench::menu_bar() {
+    if (!ImGui::BeginMainMenuBar()) return;
+    std::string_view menu;
+    bool open = false;
+    for (const Command& entry : commands()) {
+        if (entry.menu.empty()) continue;
+        if (entry.menu != menu) {
+            if (open) ImGui::EndMenu();
+            menu = entry.menu;
+            open = ImGui::BeginMenu(fmt::format("{}###{}", tr(menu), menu).c_str());
+            widgets_.note("menu." + std::string(menu));
+        }
+        if (!open) continue;
+        if (entry.starts_section) ImGui::Separator();
+        std::string label(tr(entry.label));
+        if (entry.id == CommandId::undo && can(entry.id)) label += " " + document_.history().undo_name();
+        if (entry.id == CommandId::redo && can(entry.id)) label += " " + document_.history().redo_name();
+        const bool ticked =
+            (entry.id == CommandId::toggle_snap && snaps_) ||
+            (entry.id == CommandId::four_up && viewport_.state.four_up) ||
+            (entry.id == CommandId::toggle_shadow_classes && viewport_.state.options.shadow_classes) ||
+            (entry.id == CommandId::toggle_shadow_outlines && viewport_.state.options.shadow_outlines) ||
+            (entry.id == CommandId::toggle_isolux && viewport_.state.options.isolux) ||
+            (entry.id == CommandId::toggle_photo && viewport_.state.options.scale == Scale::photo);
+        const bool wished = ImGui::MenuItem((label + "###" + std::string(entry.name)).c_str(),
+                                            to_text(entry.chord).c_str(), ticked, can(entry.id));
+        widgets_.note(std::string(entry.name));
+        tooltip(std::string(entry.help));
+        if (wished) carry_out(entry.id);
+    }
+    if (open) ImGui::EndMenu();
+    const std::string name = (document_.is_saved() ? "" : "•  ") + document_.title();
+    const float width = ImGui::CalcTextSize(name.c_str()).x;
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - 28.0F * style::scale());
+    ImGui::TextColored(style::colour(style::quiet_text), "%s", name.c_str());
+    tooltip(document_.is_saved() ? "Saved" : "Has changes that were not saved");
+    ImGui::EndMainMenuBar();
+}
+
+}  // namespace hanei

@@ -1,0 +1,74 @@
+#include "engine/edit/edit.h"
+#include "ui/panels/language.h"
+#include "ui/panels/panel_frame.h"
+#include "ui/panels/properties.h"
+#include "ui/panels/style.h"
+#include "ui/panels/workbench.h"
+
+#include <imgui.h>
+
+namespace hanei {
+namespace {
+
+std::string step_name(const Scene& scene, ObjectId id) {
+    const ObjectKind kind = kind_of(scene, id);
+    return kind == ObjectKind::none ? "Change project" : "Change " + std::string(name_of(kind));
+}
+
+}  // namespace
+
+void Workbench::properties_tab() {
+    const SceneSnapshot scene = document_.shown();
+    const ObjectKind kind = kind_of(*scene, selection_.primary());
+    ImGui::Dummy({0.0F, 2.0F * style::scale()});
+    if (kind == ObjectKind::none)
+        headline(tr("Project"), "");
+    else
+        headline(display_name(*scene, selection_.primary()), tr(name_of(kind)));
+    ImGui::PushID(static_cast<int>(selection_.primary().value));
+    form_.begin("properties");
+    std::optional<Scene> wished = object_panel(*scene, selection_.primary(), form_);
+    form_.end();
+    ImGui::PopID();
+    if (wished) propose(std::move(*wished), step_name(*scene, selection_.primary()));
+}
+
+void Workbench::photometry_tab() {
+    ImGui::PushID(static_cast<int>(selection_.primary().value));
+    PhotometryPanel::Outcome outcome = photometry_.draw(*document_.shown(), selection_.primary(), form_);
+    ImGui::PopID();
+    if (outcome.edit) propose(std::move(outcome.edit->scene), std::move(outcome.edit->step));
+    if (outcome.replaces_file) replace_luminaire_file();
+}
+
+void Workbench::right(const ScreenRect& area) {
+    begin_panel("##right", area);
+    movable_edge(Edge::left, area, preferences_.right_width, 220.0F, 520.0F);
+    if (ImGui::BeginTabBar("sides")) {
+        if (begin_tab("Properties", widgets_)) {
+            ImGui::BeginChild("fields");
+            properties_tab();
+            ImGui::EndChild();
+            ImGui::EndTabItem();
+        }
+        if (begin_tab("Photometry", widgets_)) {
+            ImGui::BeginChild("photometry");
+            photometry_tab();
+            ImGui::EndChild();
+            ImGui::EndTabItem();
+        }
+        if (begin_tab("Calculation", widgets_)) {
+            ImGui::BeginChild("settings");
+            ImGui::Dummy({0.0F, 2.0F * style::scale()});
+            form_.begin("settings");
+            if (const auto wished = settings_panel(document_.settings(), form_)) document_.set_settings(*wished);
+            form_.end();
+            ImGui::EndChild();
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
+    end_panel();
+}
+
+}  // namespace hanei
