@@ -7,6 +7,11 @@
 
 namespace hanei {
 
+std::filesystem::path Workbench::folder() const {
+    return document_.file().empty() ? std::filesystem::path()
+                                    : std::filesystem::absolute(document_.file()).parent_path();
+}
+
 void Workbench::guarded(std::function<void()> then) {
     document_.settle();
     if (document_.is_saved()) return then();

@@ -15,7 +15,7 @@ constexpr glm::vec3 pale_ink{0.38F, 0.40F, 0.43F};
 constexpr glm::vec3 card{0.985F, 0.985F, 0.98F};
 
 /// All lengths in pixels at scale 1.
-struct Layout {
+struct LegendLayout {
     double margin = 14.0;
     double bar_width = 20.0;
     double head = 58.0;  ///< quantity and part
@@ -78,7 +78,7 @@ void draw_isolux_marks(Canvas& canvas, const ViewOptions& look, double x, double
 }  // namespace
 
 int legend_width(const ViewOptions& /*options*/, double scale) {
-    const Layout layout;
+    const LegendLayout layout;
     Canvas measure({1, 1});
     double wide = std::max(measure.width_of(quantity_text(), head_style(scale)),
                            measure.width_of(part_text(name_of(LightPart::interreflected)), part_style(scale)));
@@ -87,7 +87,7 @@ int legend_width(const ViewOptions& /*options*/, double scale) {
 }
 
 Image legend_image(const ViewOptions& look, int height_px, double scale, std::string_view part) {
-    const Layout layout;
+    const LegendLayout layout;
     const int height = std::max(height_px, static_cast<int>(160.0 * scale));
     const int width = legend_width(look, scale);
     Canvas canvas({width, height});
