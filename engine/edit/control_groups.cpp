@@ -1,14 +1,6 @@
 #include "engine/edit/control_groups.h"
 
-#include <algorithm>
-
 namespace hanei {
-
-const ControlGroup* find_control_group(const Scene& scene, ObjectId id) {
-    const auto found = std::find_if(scene.control_groups.begin(), scene.control_groups.end(),
-                                    [&](const ControlGroup& group) { return group.id == id; });
-    return found == scene.control_groups.end() ? nullptr : &*found;
-}
 
 ObjectId control_group_named(Scene& scene, const std::string& name) {
     if (name.empty()) return {};

@@ -148,9 +148,13 @@ void forget(Scene& scene, ObjectId id) {
         if (luminaire.group == id) luminaire.group = {};
     for (LightScene& light_scene : scene.light_scenes)
         std::erase_if(light_scene.levels, [&](const LightScene::Level& level) { return level.group == id; });
-    for (Arrangement& arrangement : scene.arrangements) std::erase(arrangement.luminaires, id);
+    for (Arrangement& arrangement : scene.arrangements)
+        std::replace(arrangement.luminaires.begin(), arrangement.luminaires.end(), id, ObjectId{});
     for (ObjectGroup& group : scene.object_groups) std::erase(group.members, id);
-    std::erase_if(scene.arrangements, [](const Arrangement& arrangement) { return arrangement.luminaires.empty(); });
+    std::erase_if(scene.arrangements, [](const Arrangement& arrangement) {
+        return std::none_of(arrangement.luminaires.begin(), arrangement.luminaires.end(),
+                            [](ObjectId kept) { return bool(kept); });
+    });
     std::erase_if(scene.object_groups, [](const ObjectGroup& group) { return group.members.empty(); });
 }
 

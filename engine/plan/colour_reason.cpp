@@ -1,6 +1,7 @@
 #include "engine/plan/colour_reason.h"
 
 #include "engine/scene/colour.h"
+#include "engine/scene/dimmers.h"
 #include "engine/scene/faces.h"
 
 #include <cmath>
@@ -37,7 +38,7 @@ std::vector<std::string> names_of(const Scene& scene, const std::vector<ObjectId
 /// "neutral, 2700 K and 4000 K".
 std::string temperatures_of(const Scene& scene) {
     std::set<double> kelvins;
-    for (const Luminaire& lamp : scene.luminaires) kelvins.insert(lamp.colour_temperature);
+    for (const Luminaire& lamp : scene.luminaires) kelvins.insert(colour_temperature_of(scene, lamp));
     for (const FreeSurface& surface : scene.surfaces)
         if (surface.own_exitance.value > 0.0) kelvins.insert(0.0);
     std::vector<std::string> names;

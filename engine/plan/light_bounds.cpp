@@ -2,6 +2,7 @@
 
 #include "engine/geometry/polygon.h"
 #include "engine/scene/colour.h"
+#include "engine/scene/dimmers.h"
 #include "engine/scene/intensity.h"
 #include "engine/scene/placement.h"
 
@@ -175,7 +176,7 @@ LightBounds light_bounds(const Scene& scene, std::span<const Face> faces) {
     LightBounds bounds;
     for (const Luminaire& luminaire : scene.luminaires) {
         const Emitted full = EmittedBy(scene, luminaire, faces)();
-        const double output = luminaire.dimming * scene.maintenance_factor;
+        const double output = dimming_of(scene, luminaire) * scene.maintenance_factor;
         if (!(full.flux > 0.0) || !(output > 0.0)) continue;
         bounds.flux += output * full.flux;
         bounds.direct += output * full.direct;

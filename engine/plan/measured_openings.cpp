@@ -1,6 +1,7 @@
 #include "engine/plan/measured_openings.h"
 
 #include "engine/geometry/polygon.h"
+#include "engine/scene/dimmers.h"
 #include "engine/scene/point_certificate.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ MeasuredOpenings measured_openings(const Scene& scene) {
     std::map<std::pair<ObjectId, double>, double> of_size;
     for (const Luminaire& luminaire : scene.luminaires) {
         const auto* measured = std::get_if<Measured>(&luminaire.distribution);
-        if (!measured || luminaire.dimming <= 0.0) continue;
+        if (!measured || dimming_of(scene, luminaire) <= 0.0) continue;
         const auto photometry = std::ranges::find(scene.photometries, measured->photometry, &Photometry::id);
         if (photometry == scene.photometries.end() || photometry->candela.empty()) continue;
         const std::optional<OpeningForm> form = opening_of(luminaire, *photometry);

@@ -53,6 +53,8 @@ Project read_fields(JsonReading& reading, const JsonValue& root, const std::file
     read_photometries(reader, fields);
     read_control_groups(reader, fields);
     read_luminaires(reader, fields);
+    read_light_scenes(reader, fields);
+    read_arrangements(reader, fields);
     read_calculation(reader, fields);
     read_views(reader, fields);
     reader.scene.unknown = unknown_of(fields, std::move(kept));

@@ -127,6 +127,18 @@ ObjectId take_control_group(SceneReader& reader, Fields& fields, std::string_vie
     return resolve(reader.reading, *value, fields.path_of(key), "control group", groups);
 }
 
+ObjectId take_known_control_group(SceneReader& reader, Fields& fields, std::string_view key) {
+    const JsonValue* const value = fields.take(key);
+    if (value != nullptr)
+        return resolve(reader.reading, *value, fields.path_of(key), "control group", reader.scene.control_groups);
+    fields.missing(key, "the name of a control group");
+    return {};
+}
+
+ObjectId luminaire_of(SceneReader& reader, const JsonValue& value, const std::string& path) {
+    return resolve(reader.reading, value, path, "luminaire", reader.scene.luminaires);
+}
+
 void keep_unknown(Fields& child, std::string_view key, JsonValue& kept) {
     JsonValue rest = child.unknown_object();
     if (!rest.items.empty()) kept.add(std::string(key), std::move(rest));

@@ -37,6 +37,8 @@ void read_surfaces(SceneReader& reader, Fields& root);
 void read_photometries(SceneReader& reader, Fields& root);
 void read_control_groups(SceneReader& reader, Fields& root);
 void read_luminaires(SceneReader& reader, Fields& root);
+void read_light_scenes(SceneReader& reader, Fields& root);
+void read_arrangements(SceneReader& reader, Fields& root);
 void read_calculation(SceneReader& reader, Fields& root);  ///< grids and points
 void read_views(SceneReader& reader, Fields& root);
 
@@ -49,6 +51,8 @@ ObjectId material_of(SceneReader& reader, const JsonValue& value, const std::str
 ObjectId take_photometry(SceneReader& reader, Fields& fields, std::string_view key);
 /// A name that no control group has yet makes one; absent or empty it is none.
 ObjectId take_control_group(SceneReader& reader, Fields& fields, std::string_view key);
+ObjectId take_known_control_group(SceneReader& reader, Fields& fields, std::string_view key);
+ObjectId luminaire_of(SceneReader& reader, const JsonValue& value, const std::string& path);
 
 /// Adds a child's unknown fields to those kept with its parent.
 void keep_unknown(Fields& child, std::string_view key, JsonValue& kept);

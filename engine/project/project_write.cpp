@@ -139,6 +139,8 @@ JsonValue json_of(const Project& project) {
     add_objects(root, "surfaces", scene.surfaces, materials);
     add_objects(root, "control_groups", scene.control_groups);
     add_objects(root, "luminaires", scene.luminaires, References(scene.photometries), References(scene.control_groups));
+    add_objects(root, "light_scenes", scene.light_scenes, References(scene.control_groups));
+    add_objects(root, "arrangements", scene.arrangements, References(scene.luminaires));
     add_objects(root, "grids", scene.grids);
     add_objects(root, "points", scene.points);
     add_objects(root, "views", scene.views);

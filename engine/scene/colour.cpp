@@ -1,5 +1,7 @@
 #include "engine/scene/colour.h"
 
+#include "engine/scene/dimmers.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -106,8 +108,9 @@ std::optional<double> stated_colour_temperature(const Photometry& photometry) {
 Vec3 reference_white(const Scene& scene) {
     double reciprocals = 0.0;
     for (const Luminaire& lamp : scene.luminaires) {
-        if (lamp.colour_temperature <= 0.0) return white;
-        reciprocals += 1.0 / lamp.colour_temperature;
+        const double kelvin = colour_temperature_of(scene, lamp);
+        if (kelvin <= 0.0) return white;
+        reciprocals += 1.0 / kelvin;
     }
     const bool is_neutral_light = std::any_of(scene.surfaces.begin(), scene.surfaces.end(), emits_by_itself);
     if (is_neutral_light || reciprocals <= 0.0) return white;
@@ -115,10 +118,11 @@ Vec3 reference_white(const Scene& scene) {
 }
 
 Vec3 band_output(const Luminaire& luminaire, const Scene& scene) {
-    if (luminaire.colour_temperature <= 0.0 || is_light_of_one_colour(scene)) return white;
+    const double kelvin = colour_temperature_of(scene, luminaire);
+    if (kelvin <= 0.0 || is_light_of_one_colour(scene)) return white;
     constexpr double least_of_a_band = 0.02;
     const Vec3 adapted = glm::max(reference_white(scene), Vec3(least_of_a_band));
-    return of_unit_luminance(light_of_temperature(luminaire.colour_temperature) / adapted);
+    return of_unit_luminance(light_of_temperature(kelvin) / adapted);
 }
 
 std::vector<ObjectId> coloured_materials(const Scene& scene) {
@@ -132,7 +136,7 @@ std::vector<ObjectId> coloured_materials(const Scene& scene) {
 
 bool is_light_of_one_colour(const Scene& scene) {
     std::set<double> colours;
-    for (const Luminaire& lamp : scene.luminaires) colours.insert(std::max(0.0, lamp.colour_temperature));
+    for (const Luminaire& lamp : scene.luminaires) colours.insert(std::max(0.0, colour_temperature_of(scene, lamp)));
     if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), emits_by_itself)) colours.insert(0.0);
     return colours.size() <= 1;
 }

@@ -258,7 +258,7 @@ struct Arrangement {
     std::string name;
     Layout layout;
     double yaw = 0.0;                  ///< rad, of every luminaire
-    std::vector<ObjectId> luminaires;  ///< in the layout's order
+    std::vector<ObjectId> luminaires;  ///< one a place of the layout, in its order; none where a place is empty
     UnknownFields unknown;
     bool operator==(const Arrangement&) const = default;
 };

@@ -61,15 +61,6 @@ void check_distribution(const Scene& scene, ObjectFindings& object, const Lumina
     }
 }
 
-/// 0 for neutral light, or a temperature in kelvin.
-void check_colour(ObjectFindings& object, double kelvin) {
-    if (!object.finite("colour_temperature_k", {kelvin}) || kelvin == 0.0) return;
-    if (kelvin < lowest_colour_temperature || kelvin > highest_colour_temperature)
-        object.error("colour_temperature_k", "found " + figure(kelvin) + " K, allowed are 0 (neutral) and " +
-                                                 figure(lowest_colour_temperature) + " to " +
-                                                 figure(highest_colour_temperature) + " K");
-}
-
 /// Which outputs an opening can have.
 void check_output(ObjectFindings& object, const Luminaire& luminaire) {
     const bool measured = std::holds_alternative<Measured>(luminaire.distribution);
@@ -120,6 +111,14 @@ void check_photometry(SceneChecks& checks, const Photometry& photometry, std::si
 
 }  // namespace
 
+void check_colour_temperature(ObjectFindings& object, double kelvin) {
+    if (!object.finite("colour_temperature_k", {kelvin}) || kelvin == 0.0) return;
+    if (kelvin < lowest_colour_temperature || kelvin > highest_colour_temperature)
+        object.error("colour_temperature_k", "found " + figure(kelvin) + " K, allowed are 0 (neutral) and " +
+                                                 figure(lowest_colour_temperature) + " to " +
+                                                 figure(highest_colour_temperature) + " K");
+}
+
 void check_photometries(SceneChecks& checks) {
     for (std::size_t i = 0; i < checks.scene.photometries.size(); ++i)
         check_photometry(checks, checks.scene.photometries[i], i);
@@ -135,7 +134,7 @@ void check_luminaires(SceneChecks& checks) {
         object.finite("tilt_deg", {luminaire.tilt});
         object.finite("roll_deg", {luminaire.roll});
         object.within("dimming", luminaire.dimming, 0.0, 1.0);
-        check_colour(object, luminaire.colour_temperature);
+        check_colour_temperature(object, luminaire.colour_temperature);
         std::visit(OpeningCheck{object}, luminaire.opening);
         check_distribution(checks.scene, object, luminaire);
         check_output(object, luminaire);

@@ -63,6 +63,10 @@ void check_surfaces(SceneChecks& checks);
 void check_photometries(SceneChecks& checks);
 void check_luminaires(SceneChecks& checks);
 void check_calculation(SceneChecks& checks);  ///< grids, points and views
+void check_lighting(SceneChecks& checks);     ///< control groups, light scenes and arrangements
+
+/// 0 for neutral light, or a temperature in kelvin.
+void check_colour_temperature(ObjectFindings& object, double kelvin);
 
 // Objects among each other; for scenes without errors so far.
 void check_places(SceneChecks& checks);    ///< what lies outside the room or inside furniture

@@ -1,5 +1,6 @@
 #include "engine/study/direct_stage.h"
 
+#include "engine/scene/dimmers.h"
 #include "engine/study/stage_keys.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ bool is_accurate_enough(const Accuracy& kept, const LightReceivers& receivers) {
 }  // namespace
 
 double output_share(const Scene& scene, const Luminaire& luminaire) {
-    return luminaire.dimming * scene.maintenance_factor;
+    return dimming_of(scene, luminaire) * scene.maintenance_factor;
 }
 
 /// Receivers whose sight to the luminaire one of the bodies may cut.

@@ -13,7 +13,7 @@
 
 namespace hanei {
 
-/// Light of a luminaire as the scene sets it: dimming times maintenance factor.
+/// Light of a luminaire as the scene sets it: its dimming and its group's times the maintenance factor.
 double output_share(const Scene& scene, const Luminaire& luminaire);
 
 /// Where light arrives, and how it is computed.

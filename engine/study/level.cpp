@@ -206,6 +206,21 @@ std::vector<double> Level::own_exitances() const {
     return values;
 }
 
+namespace {
+
+/// How the output of a group's luminaires divides over the bands.
+struct MemberColours {
+    std::vector<Vec3> of;  ///< one a member
+    bool one = true;       ///< all alike
+
+    MemberColours(const LightGroup& group, const Scene& scene) {
+        for (const LightGroup::Member& member : group.members) of.push_back(band_output(*member.luminaire, scene));
+        one = !of.empty() && std::all_of(of.begin(), of.end(), [&](const Vec3& each) { return each == of.front(); });
+    }
+};
+
+}  // namespace
+
 /// Light of every group that is not dark on the unknowns, one list a member; empty when stopped.
 std::optional<std::vector<SideInput>> Level::side_inputs(const LevelInput& input, const Work& work) {
     const LightReceivers receivers =
@@ -227,18 +242,21 @@ std::optional<std::vector<SideInput>> Level::side_inputs(const LevelInput& input
             side.direct.push_back(direct_.of(*input.scene, *member.luminaire, receivers, input.occluders));
             if (!side.direct.back()) return std::nullopt;
         }
+        const MemberColours colours(group, *input.scene);
         for (int band = 0; band < bands; ++band) {
             SideInput& made = inputs.emplace_back(side);
             made.name = {surfaces ? ObjectId{} : group.members.front().luminaire->id, band};
             made.reflectance = reflecting[static_cast<std::size_t>(band)];
-            for (const LightGroup::Member& member : group.members)
-                made.shares.push_back(member.share * band_output(*member.luminaire, *input.scene)[band]);
+            // a colour that all its luminaires share is mixed, like its level
+            const double tinted = colours.one ? colours.of.front()[band] : 1.0;
+            for (std::size_t m = 0; m < group.members.size(); ++m)
+                made.shares.push_back(group.members[m].share * (colours.one ? 1.0 : colours.of[m][band]));
             if (surfaces) made.own_exitance = own;
             // what stays is brought closer than asked: the room's flux is told to a thousandth
             constexpr double closer = 0.1;
             made.limits = {input.settings->bounces, input.settings->accuracy * (input.warm ? 1.0 : closer)};
             const double weight = bands == 1 ? 1.0 : luminance_weights[band];
-            levels_.push_back({group.level, weight, band, surfaces, nullptr});
+            levels_.push_back({group.level * tinted, weight, band, surfaces, nullptr});
         }
     }
     direct_.forget_others(*input.scene);

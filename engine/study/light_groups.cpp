@@ -1,5 +1,7 @@
 #include "engine/study/light_groups.h"
 
+#include "engine/scene/dimmers.h"
+
 #include <algorithm>
 #include <map>
 
@@ -16,7 +18,7 @@ LightGroup group_of(const Scene& scene, const std::vector<const Luminaire*>& lum
     for (const Luminaire* luminaire : luminaires) brightest = std::max(brightest, luminaire->dimming);
     for (const Luminaire* luminaire : luminaires)
         group.members.push_back({luminaire, brightest > 0.0 ? luminaire->dimming / brightest : 1.0});
-    group.level = brightest * scene.maintenance_factor;
+    group.level = brightest * group_dimming_of(scene, *luminaires.front()) * scene.maintenance_factor;
     return group;
 }
 

@@ -13,7 +13,7 @@ struct LightGroup {
         double share = 1.0;  ///< of the group's level: 1 for the brightest
     };
     std::vector<Member> members;  ///< none: the surfaces that emit by themselves
-    double level = 1.0;           ///< greatest dimming of a member times the maintenance factor
+    double level = 1.0;           ///< greatest own dimming of a member, times the group's and the maintenance factor
 };
 
 /// Every named group, every luminaire without a group (all these together when they are many), and

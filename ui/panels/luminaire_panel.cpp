@@ -75,7 +75,9 @@ bool output_rows(Luminaire& luminaire, const Photometry* photometry, Form& form)
             power->exponent);
     }
     double percent = 100.0 * luminaire.dimming;
-    if (form.number({"luminaire.dimming", "Dimmer", "%", "Share of the full output", 0.0, 100.0, 0.5, 1}, percent)) {
+    if (form.number({"luminaire.dimming", "Dimmer", "%", "Share of the full output, times the dimmer of its group", 0.0,
+                     100.0, 0.5, 1},
+                    percent)) {
         luminaire.dimming = percent / 100.0;
         changed = true;
     }
@@ -92,10 +94,10 @@ bool colour_rows(const Scene& scene, Luminaire& luminaire, Form& form) {
         Luminaire like;
         like.colour_temperature = kelvin;
         names.push_back(kelvin > 0.0 ? fmt::format("{:.0f} K", kelvin) : "Neutral");
-        marks.push_back(kelvin > 0.0 ? mark_of(like) : style::text);
+        marks.push_back(kelvin > 0.0 ? mark_of(like, scene) : style::text);
     }
     names.emplace_back("Other");
-    marks.push_back(mark_of(luminaire));
+    marks.push_back(mark_of(luminaire, scene));
     const auto usual = std::find(usual_temperatures.begin(), usual_temperatures.end(), luminaire.colour_temperature);
     int chosen = static_cast<int>(usual - usual_temperatures.begin());
     bool changed = false;
@@ -190,8 +192,6 @@ std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form
     if (regrouped) luminaire.group = control_group_named(wished, group_name);
     for (Luminaire& other : wished.luminaires) {
         if (other.id == id) other = luminaire;
-        const bool dimmed_along = found->group && other.group == found->group && luminaire.dimming != found->dimming;
-        if (dimmed_along) other.dimming = luminaire.dimming;
         if (colour_for_all) other.colour_temperature = luminaire.colour_temperature;
     }
     return wished;

@@ -58,9 +58,11 @@ private:
 
     /// A material is shown in its own colour, a luminaire in that of its light.
     template <class Object>
-    static ImU32 mark_in_list(const Object& object, ImU32 mark) {
+    ImU32 mark_in_list(const Object& object, ImU32 mark) const {
         if constexpr (requires { mark_of(object); })
             return mark_of(object);
+        else if constexpr (requires { mark_of(object, scene_); })
+            return mark_of(object, scene_);
         else
             return mark;
     }

@@ -1,6 +1,7 @@
 #include "ui/panels/property_rows.h"
 
 #include "engine/scene/colour.h"
+#include "engine/scene/dimmers.h"
 #include "ui/panels/style.h"
 #include "ui/view/tone.h"
 
@@ -62,10 +63,14 @@ ImU32 mark_of(const Material& material) {
     return ImGui::ColorConvertFloat4ToU32({shade(shown.x), shade(shown.y), shade(shown.z), 1.0F});
 }
 
-ImU32 mark_of(const Luminaire& luminaire) {
-    if (luminaire.dimming <= 0.0) return style::quiet_text;
-    if (luminaire.colour_temperature <= 0.0) return style::accent;
-    const glm::vec3 light(light_of_temperature(luminaire.colour_temperature));
+ImU32 mark_of(const Luminaire& luminaire, const Scene& scene) {
+    if (dimming_of(scene, luminaire) <= 0.0) return style::quiet_text;
+    return mark_of_light(colour_temperature_of(scene, luminaire));
+}
+
+ImU32 mark_of_light(double kelvin) {
+    if (kelvin <= 0.0) return style::accent;
+    const glm::vec3 light(light_of_temperature(kelvin));
     const glm::vec3 shown = encoded_srgb(light / std::max({light.x, light.y, light.z}));
     return ImGui::ColorConvertFloat4ToU32({shown.x, shown.y, shown.z, 1.0F});
 }

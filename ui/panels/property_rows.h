@@ -24,6 +24,7 @@ bool material_row(const char* name, const char* label, const Scene& scene, Objec
 ImU32 mark_of(const Material& material);
 
 /// How a list marks a luminaire that is lit: lamp light, or the colour it has.
-ImU32 mark_of(const Luminaire& luminaire);
+ImU32 mark_of(const Luminaire& luminaire, const Scene& scene);
+ImU32 mark_of_light(double kelvin);  ///< of neutral light for 0
 
 }  // namespace hanei

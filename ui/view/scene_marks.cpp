@@ -1,5 +1,6 @@
 #include "engine/geometry/polygon.h"
 #include "engine/scene/colour.h"
+#include "engine/scene/dimmers.h"
 #include "engine/scene/faces.h"
 #include "ui/view/luminaire_shape.h"
 #include "ui/view/marks.h"
@@ -117,7 +118,7 @@ LuminaireMarks luminaire_marks(const Scene& scene) {
     LuminaireMarks marks;
     for (const Luminaire& luminaire : scene.luminaires) {
         const LuminaireShape shape = shape_of(luminaire, scene);
-        const float on = luminaire.dimming > 0.0 ? 1.0F : 0.0F;
+        const float on = dimming_of(scene, luminaire) > 0.0 ? 1.0F : 0.0F;
         const glm::vec4 light = glm::mix(glm::vec4(0.45F, 0.46F, 0.48F, 1.0F), lamp_colour(luminaire, scene), on);
         for (const Polygon& opening : shape.shining)
             append_convex(marks.openings, opening, unit_normal(opening), light);

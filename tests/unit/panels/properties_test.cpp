@@ -140,7 +140,7 @@ TEST_F(APanel, slides_a_figure_that_is_dragged) {
     EXPECT_NEAR(lamp().position.y, before + 0.4, 0.05);  // 0.01 m a pixel, less the first pixels that mean a click
 }
 
-TEST_F(APanel, dims_all_luminaires_of_a_group_together) {
+TEST_F(APanel, dims_one_luminaire_of_a_group_by_its_own_dimmer) {
     Added first = with_panel_luminaire(scene);
     Added second = with_panel_luminaire(first.scene);
     second.scene.control_groups.push_back({second.scene.new_id(), "rows", 1.0, 0.0, {}});
@@ -148,7 +148,7 @@ TEST_F(APanel, dims_all_luminaires_of_a_group_together) {
     show(second);
     type_into("luminaire.dimming", "40");
     key(Key::enter);
-    EXPECT_EQ(scene.luminaires[0].dimming, 0.4);
+    EXPECT_EQ(scene.luminaires[0].dimming, 1.0);
     EXPECT_EQ(scene.luminaires[1].dimming, 0.4);
 }
 

@@ -26,6 +26,18 @@ TEST(ProjectFaults, a_newer_version_is_refused_with_a_sentence_and_nothing_else)
         "hanei\n");
 }
 
+TEST(ProjectFaults, a_light_scene_of_a_group_that_is_not_there_is_refused) {
+    EXPECT_EQ(findings_of(project_of("\"control_groups\": [{\"name\": \"row\"}],\n\"light_scenes\": [{\"levels\": "
+                                     "[{\"group\": \"desk\", \"dimming\": 1}]}]")),
+              "room.hanei:3: light_scenes[0].levels[0].group: there is no control group \"desk\"; there are \"row\"\n");
+}
+
+TEST(ProjectFaults, a_layout_of_an_unknown_kind_is_refused) {
+    EXPECT_EQ(findings_of(project_of("\"arrangements\": [{\"luminaires\": [],\n\"layout\": {\"kind\": \"spiral\"}}]")),
+              "room.hanei:3: arrangements[0].layout.kind: found \"spiral\", expected \"line\", \"field\" or "
+              "\"circle\"\n");
+}
+
 TEST(ProjectFaults, another_kind_of_json_is_refused) {
     EXPECT_EQ(findings_of("{\"cells\": []}"),
               "room.hanei:1: format: this is no hanei project: the field must be \"hanei-project\"\n");

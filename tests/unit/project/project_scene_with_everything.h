@@ -69,6 +69,8 @@ inline void add_luminaires_of_every_kind(Scene& scene) {
     first.opaque = true;
     scene.control_groups.push_back({scene.new_id(), "row 1", 0.5, 3000.0, {}});
     first.group = scene.control_groups.back().id;
+    scene.light_scenes.push_back(
+        {scene.new_id(), "Lecture", {{scene.control_groups.back().id, 1.0 / 3.0}}, R"({"key": 1})"});
     first.unknown = R"({"serial": 12345678901234567890, "opening": {"glass": "opal"}})";
     add(PointOpening{}, CosinePower{4.5}, LuminousFlux{10});
     add(LineOpening{{-0.6, 0, 0}, {0.6, 0, 0.1}}, Diffuse{}, LuminousFlux{3200});
@@ -79,6 +81,17 @@ inline void add_luminaires_of_every_kind(Scene& scene) {
         Diffuse{}, LuminousFlux{800});
     add(PolygonOpening{square}, Measured{scene.photometries[0].id}, LuminousFlux{3600});
     add(MeasuredOpening{}, Measured{scene.photometries[0].id}, AsMeasured{});
+}
+
+inline void add_arrangements_of_every_kind(Scene& scene) {
+    const auto add = [&](const char* name, Layout layout, std::vector<ObjectId> luminaires) {
+        scene.arrangements.push_back(
+            {scene.new_id(), name, std::move(layout), 0.1, std::move(luminaires), R"({"layout": {"drawn": true}})"});
+    };
+    add("line", LineLayout{{1, 1, 2}, {3, 1, 2}, 2}, {scene.luminaires[1].id, {}});
+    add("field", FieldLayout{{0, 0, 2}, {4, 0, 0}, {0, 3.1, 0}, 1, 2},
+        {scene.luminaires[0].id, scene.luminaires[3].id});
+    add("circle", CircleLayout{{2, 1.5, 2.1}, 1.0 / 3.0, 1, 0.2, true}, {scene.luminaires[2].id});
 }
 
 inline Project project_with_everything() {
@@ -106,6 +119,7 @@ inline Project project_with_everything() {
     scene.photometries.push_back(photometry_with_everything(scene.new_id()));
     add_furniture_of_every_kind(scene);
     add_luminaires_of_every_kind(scene);
+    add_arrangements_of_every_kind(scene);
     scene.grids.push_back({scene.new_id(), "grid", {0, 0, 0.8}, {4, 0, 0}, {0.1, 3, 0}, 0.3, R"({"task": "reading"})"});
     scene.points.push_back({scene.new_id(), "point", {1, 2, 0.8}, {0, 0.6, 0.8}, {}});
     scene.views.push_back({scene.new_id(), "view", {0.5, 0.5, 1.6}, {2, 2, 1}, 0.9, true, {}});

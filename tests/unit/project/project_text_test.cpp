@@ -115,10 +115,23 @@ TEST(ProjectText, fields_of_a_later_version_are_kept_and_each_is_warned_about) {
     int warnings = 0;
     for (const Diagnostic& finding : read.findings)
         warnings += finding.message.find("does not know") != std::string::npos ? 1 : 0;
-    // material, room, sub-area, desk, part, surface, photometry, serial, opening.glass, grid, settings.sky, notes
-    EXPECT_EQ(warnings, 12);
+    // material, room, sub-area, desk, part, surface, photometry, serial, opening.glass, light scene, three layouts,
+    // grid, settings.sky, notes
+    EXPECT_EQ(warnings, 16);
     EXPECT_NE(text.find("\"serial\": 12345678901234567890"), std::string::npos);
     EXPECT_NE(text.find("\"b\": 1.50"), std::string::npos);
+}
+
+TEST(ProjectText, a_control_group_that_only_a_luminaire_names_is_made) {
+    const Project project = read(R"({"format": "hanei-project", "version": 1, "luminaires": [
+        {"position": [0, 0, 2], "opening": {"kind": "point"}, "flux_lm": 9, "group": "row"},
+        {"position": [1, 0, 2], "opening": {"kind": "point"}, "flux_lm": 9, "group": "row"}],
+        "light_scenes": [{"name": "dim", "levels": [{"group": "row", "dimming": 0.25}]}]})");
+    ASSERT_EQ(project.scene.control_groups.size(), 1U);
+    EXPECT_EQ(project.scene.luminaires[1].group, project.scene.control_groups[0].id);
+    ASSERT_EQ(project.scene.light_scenes.size(), 1U);
+    EXPECT_EQ(project.scene.light_scenes[0].levels,
+              (std::vector<LightScene::Level>{{project.scene.control_groups[0].id, 0.25}}));
 }
 
 TEST(ProjectText, unknown_fields_of_an_opening_go_back_into_the_opening) {

@@ -121,6 +121,57 @@ TEST_P(Invalidation, a_light_scene_of_several_groups_computes_nothing_anew) {
     EXPECT_EQ(kept(), everything);
 }
 
+TEST_P(Invalidation, the_dimmer_of_a_group_computes_nothing_anew) {
+    run([](Scene& scene) { scene.control_groups.front().dimming = 0.3; });
+    EXPECT_EQ(kept(), everything);
+}
+
+TEST_P(Invalidation, a_group_switched_off_and_on_by_its_dimmer_computes_nothing_anew) {
+    run({[](Scene& scene) { scene.control_groups.front().dimming = 0.0; },
+         [](Scene& scene) { scene.control_groups.front().dimming = 0.9; }});
+    EXPECT_EQ(kept(), everything);
+}
+
+TEST_P(Invalidation, the_dimmer_of_a_group_does_what_the_dimmers_of_all_its_luminaires_do) {
+    run([](Scene& scene) { scene.control_groups.front().dimming = 0.25; });
+    const std::vector<double> by_group = values_of(*after_);
+    run([](Scene& scene) {
+        for (Luminaire& luminaire : scene.luminaires)
+            if (luminaire.group) luminaire.dimming = 0.25;
+    });
+    EXPECT_EQ(values_of(*after_), by_group);
+}
+
+TEST_P(Invalidation, recalling_a_light_scene_computes_nothing_anew) {
+    Scene scene = grouped_office();
+    const ObjectId second = scene.new_id();
+    scene.control_groups.push_back({second, "rest", 1.0, 0.0, {}});
+    for (Luminaire& luminaire : scene.luminaires)
+        if (!luminaire.group) luminaire.group = second;
+    run(
+        {[](Scene& lit) {
+            lit.control_groups[0].dimming = 0.2;
+            lit.control_groups[1].dimming = 0.8;
+        }},
+        [](Settings&) {}, scene);
+    EXPECT_EQ(kept(), everything);
+}
+
+TEST_P(Invalidation, the_colour_temperature_of_a_group_is_mixed_once_light_has_colours) {
+    Scene coloured = grouped_office();
+    coloured.luminaires[0].colour_temperature = 2700.0;
+    coloured.control_groups.front().colour_temperature = 4000.0;
+    run(
+        {[](Scene& scene) { scene.control_groups.front().colour_temperature = 6500.0; }}, [](Settings&) {}, coloured);
+    EXPECT_EQ(kept(), everything);
+}
+
+TEST_P(Invalidation, the_first_colour_temperature_of_a_group_redoes_the_balance_only) {
+    run([](Scene& scene) { scene.control_groups.front().colour_temperature = 2700.0; });
+    EXPECT_EQ(kept(), direct_and_factors);
+    EXPECT_TRUE(kept_mesh());
+}
+
 TEST_P(Invalidation, a_luminaire_switched_off_and_on_again_computes_nothing_anew) {
     run({[](Scene& scene) { scene.luminaires[1].dimming = 0.0; },
          [](Scene& scene) { scene.luminaires[1].dimming = 0.7; }});
