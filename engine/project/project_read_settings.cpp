@@ -10,12 +10,22 @@ std::string digits_of(T value) {
     return one_line(json_number(static_cast<double>(value)));
 }
 
+/// In the unit of the file, where an end of the range that was stored in another unit may come out a
+/// rounding beyond it.
+template <class T>
+bool is_allowed(const Option<T>& option, T shown) {
+    const double slack = option.scale == 1.0 ? 0.0 : 1e-12;
+    const auto value = static_cast<double>(shown);
+    return value >= (1.0 - slack) * static_cast<double>(option.low) &&
+           value <= (1.0 + slack) * static_cast<double>(option.high);
+}
+
 template <class T>
 void take_option(Fields& fields, const Option<T>& option, Settings& settings) {
     const std::string field = field_of(option);
     T shown{};
     if (!fields.optional(field, shown)) return;
-    if (!(shown >= option.low && shown <= option.high)) {
+    if (!is_allowed(option, shown)) {
         fields.error(field, "found " + digits_of(shown) + ", allowed are " + digits_of(option.low) + " to " +
                                 digits_of(option.high) + (option.unit.empty() ? "" : ' ' + std::string(option.unit)));
     } else if (option.scale == 1.0) {

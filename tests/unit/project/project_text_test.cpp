@@ -1,4 +1,5 @@
 #include "engine/project/json_fields.h"
+#include "engine/project/project_settings.h"
 #include "project_scene_with_everything.h"
 
 #include <bit>
@@ -74,6 +75,18 @@ TEST(ProjectText, every_degree_of_a_turn_is_written_without_decimals) {
         JsonValue typed = json_number(angle);
         EXPECT_EQ(json_scaled(scaled(typed, degree), degree).text, std::to_string(angle));
     }
+}
+
+TEST(ProjectText, settings_at_both_ends_of_their_ranges_read_back) {
+    for_each_option([](const auto& option) {
+        for (const auto shown : {option.low, option.high}) {
+            Project project;
+            // as the panel stores what it shows
+            project.settings.*option.member =
+                static_cast<decltype(option.low)>(static_cast<double>(shown) / option.scale);
+            EXPECT_EQ(read(project_text(project)).settings, project.settings) << option.name;
+        }
+    });
 }
 
 TEST(ProjectText, percent_settings_read_as_they_were_typed) {
