@@ -14,6 +14,7 @@ public:
     explicit History(Scene first);
 
     const SceneSnapshot& now() const { return steps_[at_].scene; }
+    const SceneSnapshot& first() const { return steps_.front().scene; }
 
     /// A finished gesture: one step, named for the menu ("Move luminaire"). Drops what was undone.
     /// A scene equal to the present one makes no step.
