@@ -1,5 +1,6 @@
 #include "engine/project/project_file.h"
 
+#include "engine/edit/furniture_edits.h"
 #include "engine/project/json_text.h"
 #include "engine/project/project_reader.h"
 #include "engine/project/project_writer.h"
@@ -100,6 +101,11 @@ ProjectRead read_project_text(std::string_view json, const std::filesystem::path
             reading.findings.push_back(about_file(Severity::warning, reading.file, line_of(*root, repair.field),
                                                   repair.field, repair.message));
             reading.findings.back().place.object = repair.object.value;
+        }
+        for (Diagnostic& finding : settle_models(project.scene)) {
+            finding.place.file = reading.file;
+            finding.place.line = line_of(*root, finding.place.field);
+            reading.findings.push_back(std::move(finding));
         }
         check_read_scene(reading, *root, project.scene);
         read.project = std::move(project);

@@ -1,4 +1,7 @@
+#include "engine/edit/furniture_edits.h"
 #include "engine/project/project_reader.h"
+
+#include <fmt/format.h>
 
 namespace hanei {
 namespace {
@@ -33,6 +36,32 @@ Part part_of(SceneReader& reader, Fields& fields) {
     return part;
 }
 
+/// {"kind": "desk", "sizes": {"width": 1.8}}
+FurnitureModel model_of(SceneReader& reader, Fields& fields, JsonValue& kept) {
+    FurnitureModel model;
+    const JsonValue* const value = fields.take("model");
+    if (value == nullptr) return model;
+    Fields stated(reader.reading, *value, fields.path_of("model"));
+    stated.require("kind", model.kind, "the name of a kind of the furniture library, as \"desk\"");
+    if (stated.has("kind") && model.kind.empty()) stated.error("kind", "a model must have a kind; leave it out if not");
+    const FurnitureKind* const kind = find_furniture_kind(model.kind);
+    if (const JsonValue* const list = stated.take("sizes")) {
+        Fields sizes(reader.reading, *list, stated.path_of("sizes"));
+        for (const std::string& name : list->keys) {
+            double size = 0.0;
+            if (!sizes.optional(name, size)) continue;
+            model.sizes.push_back({name, size});
+            const FurnitureSize* const known = kind == nullptr ? nullptr : find_size(*kind, name);
+            if (known != nullptr && !(size >= known->low && size <= known->high))
+                sizes.error(name, fmt::format("found {:g}, allowed is {:g} to {:g}", size, known->low, known->high));
+            if (kind != nullptr && known == nullptr)
+                sizes.error(name, fmt::format("a {} has no such size", model.kind));
+        }
+    }
+    keep_unknown(stated, "model", kept);
+    return model;
+}
+
 }  // namespace
 
 void read_furniture(SceneReader& reader, Fields& root) {
@@ -42,9 +71,13 @@ void read_furniture(SceneReader& reader, Fields& root) {
         fields.optional("name", furniture.name);
         fields.require("position", furniture.position, "three numbers [x, y, z]");
         fields.optional_angle("rotation_deg", furniture.rotation);
+        JsonValue kept = json_object();
+        furniture.model = model_of(reader, fields, kept);
+        const bool follows = !fields.has("parts") && find_furniture_kind(furniture.model.kind) != nullptr;
+        if (follows) furniture.parts = made_furniture(reader.scene, furniture.model).parts;
         for_each_object(fields, "parts",
                         [&](Fields& part, std::size_t) { furniture.parts.push_back(part_of(reader, part)); });
-        furniture.unknown = fields.unknown();
+        furniture.unknown = unknown_of(fields, std::move(kept));
         reader.scene.furniture.push_back(std::move(furniture));
     });
 }

@@ -100,6 +100,14 @@ JsonValue json_of(const Furniture& furniture, const References& materials) {
     JsonValue object = json_object(furniture.id, furniture.name);
     object.add("position", json_of(furniture.position));
     add_angle(object, "rotation_deg", furniture.rotation);
+    if (!furniture.model.kind.empty()) {
+        JsonValue& model = object.add("model", json_object());
+        model.add("kind", json_text(furniture.model.kind));
+        if (!furniture.model.sizes.empty()) {
+            JsonValue& sizes = model.add("sizes", json_object());
+            for (const ModelSize& size : furniture.model.sizes) sizes.add(size.name, json_number(size.metres));
+        }
+    }
     JsonValue& parts = object.add("parts", json_list());
     for (const Part& part : furniture.parts) parts.items.push_back(json_of_part(part, materials));
     add_unknown(object, furniture.unknown);

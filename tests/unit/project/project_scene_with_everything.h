@@ -1,6 +1,7 @@
 /// A project in which every kind of object and every field occurs once.
 #pragma once
 
+#include "engine/edit/furniture_edits.h"
 #include "engine/project/project_file.h"
 
 namespace hanei {
@@ -42,6 +43,11 @@ inline void add_furniture_of_every_kind(Scene& scene) {
                            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
     desk.parts.push_back({wedge, {0, 0, 0}, -1.0, wood, {}});
     scene.furniture.push_back(desk);
+    Furniture stool = made_furniture(scene, {"stool", {{"height", 0.7}, {"diameter", 1.0 / 3.0}}});
+    stool.id = scene.new_id();
+    stool.position = {3, 1, 0};
+    stool.unknown = R"({"model": {"finish": "oiled"}})";
+    scene.furniture.push_back(stool);
     const Polygon hole{{2.2, 1, 1.2}, {2.2, 1, 1.4}, {2.4, 1, 1.4}};
     FreeSurface screen{scene.new_id(), "screen", {{{2, 1, 1}, {3, 1, 1}, {3, 1, 2}, {2, 1, 2}}, {hole}},
                        wood,           {12.5},   R"({"a": null})"};
