@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/desktop.h"
+#include "app/exchange_commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
 #include "app/photometry_command.h"
@@ -64,6 +65,7 @@ struct Arguments {
     PlanRequest plan;
     SweepRequest study;
     ValidateRequest validate;
+    ImportRequest import;
     std::filesystem::path check_project, photometry_file;
     std::optional<std::filesystem::path> photometry_json;
     std::optional<int> photometry_lamp_set;
@@ -181,6 +183,18 @@ void add_photometry(CLI::App& app, Arguments& arguments) {
     command->add_option("--json", arguments.photometry_json, "Write the same as JSON");
 }
 
+void add_import(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("import", "Take furniture or a room from a glTF file (.gltf, .glb)");
+    ImportRequest& request = arguments.import;
+    command->add_option("FILE", request.file, "File to read")->required();
+    command->add_option("--out", request.out, "Project file to write")->required();
+    command->add_option("--into", request.into, "Project whose scene the file's objects join; none: a new one");
+    command->add_option("--unit", request.unit, "Unit of the file: m, cm, mm, in, ft, or a number of metres");
+    command->add_option("--up", request.up, "Axis of the file that points up")->check(CLI::IsMember({"y", "z"}));
+    command->add_option("--as", request.as, "What it holds; auto: what looks like a room is one")
+        ->check(CLI::IsMember({"furniture", "room", "auto"}));
+}
+
 int run_desktop_from(Arguments& arguments) {
     if (arguments.desktop.project.empty()) arguments.desktop.project = start_room();
     read_size(arguments.size, arguments.desktop.width, arguments.desktop.height);
@@ -206,6 +220,7 @@ int run(const CLI::App& app, Arguments& arguments) {
         arguments.study.change = change;
         return study_command(arguments.study);
     }
+    if (app.got_subcommand("import")) return import_command(arguments.import);
     if (app.got_subcommand("check")) return check_command(arguments.check_project);
     if (app.got_subcommand("validate")) {
         arguments.validate.change = change;
@@ -234,6 +249,7 @@ int run_command_line(int argc, char** argv) {
     add_check(app, arguments);
     add_validate(app, arguments);
     add_photometry(app, arguments);
+    add_import(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {

@@ -1,6 +1,5 @@
 #include "engine/project/gltf_lights.h"
 
-#include "engine/project/gltf_nodes.h"
 #include "engine/project/gltf_punctual.h"
 #include "engine/project/luminaire_file.h"
 
@@ -34,12 +33,9 @@ void warn_of_colour(Fields& fields, std::vector<std::string>& warnings) {
 
 class Reading {
 public:
-    Reading(std::string_view bytes, JsonReading& reading, const GltfNeighbour& neighbour, GltfRead& result)
-        : reading_(reading), document_(bytes, reading, neighbour), result_(result) {}
+    explicit Reading(GltfDocument& document) : reading_(document.reading()), document_(document) {}
 
-    void read() {
-        if (!document_.open()) return;
-        const std::vector<GltfNode> nodes = placed_nodes(reading_, document_.root());
+    std::vector<GltfLight> read(const std::vector<GltfNode>& nodes) {
         for (const GltfNode& node : nodes) {
             read_light(node, "KHR_lights_punctual");
             read_light(node, "EXT_lights_ies");
@@ -48,9 +44,7 @@ public:
             warn(fmt::format("{} of its lights are directional, without place or candela; they are left out",
                              directional_));
         if (too_many_) warn("the file holds more than 1000 lights or 20 million intensities; the rest is left out");
-        if (result_.lights.empty() && !has_errors(reading_.findings))
-            reading_.error(document_.root(), "nodes",
-                           "the scene shows no point, spot or profile light that could be a luminaire");
+        return std::move(lights_);
     }
 
 private:
@@ -70,14 +64,14 @@ private:
         directional_ += light->is_directional ? 1 : 0;
         if (!light->photometry) return;
         intensities_ += light->photometry->candela.size();
-        too_many_ = too_many_ || result_.lights.size() >= most_lights || intensities_ > most_intensities;
+        too_many_ = too_many_ || lights_.size() >= most_lights || intensities_ > most_intensities;
         if (too_many_) return;
         GltfLight placed;
         placed.luminaire.photometry = *light->photometry;
         if (extension == "EXT_lights_ies" && !multiply(shown, placed.luminaire.photometry)) return;
         if (!place(node, node_path, object, placed)) return;
         name(object, node.number, placed.luminaire);
-        result_.lights.push_back(std::move(placed));
+        lights_.push_back(std::move(placed));
     }
 
     /// Null, with an error, when there is no such light.
@@ -233,8 +227,8 @@ private:
     static constexpr double brightest = 1e12;  ///< cd: a thousand times the strongest searchlight
 
     JsonReading& reading_;
-    GltfDocument document_;
-    GltfRead& result_;
+    GltfDocument& document_;
+    std::vector<GltfLight> lights_;
     std::map<std::pair<std::string, std::size_t>, Definition> definitions_;
     std::size_t intensities_ = 0;
     int directional_ = 0;
@@ -243,10 +237,20 @@ private:
 
 }  // namespace
 
+std::vector<GltfLight> placed_lights(GltfDocument& document, const std::vector<GltfNode>& nodes) {
+    return Reading(document).read(nodes);
+}
+
 GltfRead read_gltf(std::string_view bytes, std::string_view name, const GltfNeighbour& neighbour) {
     GltfRead result;
     JsonReading reading{std::string{name}, {}};
-    Reading{bytes, reading, neighbour, result}.read();
+    GltfDocument document{bytes, reading, neighbour};
+    if (document.open()) {
+        result.lights = placed_lights(document, placed_nodes(reading, document.root()));
+        if (result.lights.empty() && !has_errors(reading.findings))
+            reading.error(document.root(), "nodes",
+                          "the scene shows no point, spot or profile light that could be a luminaire");
+    }
     result.findings = std::move(reading.findings);
     return result;
 }

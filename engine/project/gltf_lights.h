@@ -3,6 +3,7 @@
 
 #include "engine/base/vector.h"
 #include "engine/project/gltf_document.h"
+#include "engine/project/gltf_nodes.h"
 #include "engine/project/luminaires.h"
 
 #include <string_view>
@@ -24,14 +25,17 @@ struct GltfRead {
     Diagnostics findings;
 };
 
-/// Every light of the scene that the file shows first, named by its node. Scale moves lights but changes
+/// Every light of these nodes, named by its node. Scale moves lights but changes
 /// no intensity. Point and spot lights become tables (gltf_punctual.h), profiles are read by the reader
 /// of luminaire files and multiplied by their node's factor. Colour and range are not photometry: a
 /// warning of the luminaire says that they are left out. Directional lights have neither place nor
 /// candela: a warning says that they are left out.
 ///
-/// Returns   the lights that are sound; an error for each that is not, and for a file without any. At most
-///           1000 lights and 20 million intensities: a warning says when there are more.
+/// Returns   the lights that are sound; an error for each that is not. At most 1000 lights and 20 million
+///           intensities: a warning says when there are more.
+std::vector<GltfLight> placed_lights(GltfDocument& document, const std::vector<GltfNode>& nodes);
+
+/// The lights of the scene that the file shows first; an error for a file without any.
 GltfRead read_gltf(std::string_view bytes, std::string_view name, const GltfNeighbour& neighbour = {});
 
 }  // namespace hanei

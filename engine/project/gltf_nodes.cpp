@@ -79,7 +79,8 @@ private:
 };
 
 /// The roots of the scene that is shown; without scenes, of everything.
-std::optional<std::vector<std::size_t>> scene_roots(JsonReading& reading, const JsonValue& root, const Forest& forest) {
+std::optional<std::vector<std::size_t>> scene_roots(JsonReading& reading, const JsonValue& root, const Forest& forest,
+                                                    std::optional<std::size_t> wanted) {
     const std::size_t count = list_of(root, "nodes").items.size();
     std::vector<std::size_t> roots;
     const JsonValue& scenes = list_of(root, "scenes");
@@ -89,8 +90,9 @@ std::optional<std::vector<std::size_t>> scene_roots(JsonReading& reading, const 
         return roots;
     }
     const JsonValue* const shown = root.find("scene");
-    const auto number =
-        shown == nullptr ? std::optional<std::size_t>{0} : take_index(reading, *shown, "scene", scenes.items.size());
+    const auto number = wanted             ? wanted
+                        : shown == nullptr ? std::optional<std::size_t>{0}
+                                           : take_index(reading, *shown, "scene", scenes.items.size());
     if (!number) return std::nullopt;
     const std::string path = "scenes[" + std::to_string(*number) + "].nodes";
     const JsonValue& list = list_of(scenes.items[*number], "nodes");
@@ -160,19 +162,21 @@ std::optional<glm::dmat4> local_matrix(Fields& fields) {
 
 }  // namespace
 
-std::vector<GltfNode> placed_nodes(JsonReading& reading, const JsonValue& root) {
+std::vector<GltfNode> placed_nodes(JsonReading& reading, const JsonValue& root, std::optional<std::size_t> scene) {
     const JsonValue& nodes = list_of(root, "nodes");
     if (!take_list(reading, nodes, "nodes")) return {};
     Forest forest{reading, nodes};
     if (!forest.read()) return {};
-    const auto roots = scene_roots(reading, root, forest);
+    const auto roots = scene_roots(reading, root, forest, scene);
     if (!roots) return {};
     std::vector<GltfNode> placed;
     std::vector<GltfNode> waiting;
-    const auto wait = [&](const std::vector<std::size_t>& children, const glm::dmat4& parent) {
-        for (auto child = children.rbegin(); child != children.rend(); ++child) waiting.push_back({*child, parent});
+    const auto wait = [&](const std::vector<std::size_t>& children, const glm::dmat4& to_world,
+                          std::optional<std::size_t> parent) {
+        for (auto child = children.rbegin(); child != children.rend(); ++child)
+            waiting.push_back({*child, to_world, parent});
     };
-    wait(*roots, glm::dmat4{1.0});
+    wait(*roots, glm::dmat4{1.0}, {});
     while (!waiting.empty()) {
         GltfNode node = waiting.back();
         waiting.pop_back();
@@ -184,7 +188,7 @@ std::vector<GltfNode> placed_nodes(JsonReading& reading, const JsonValue& root) 
             reading.error(fields.value(), fields.path(), "where it stands is too far away for a number");
             return {};
         }
-        wait(forest.children(node.number), node.to_world);
+        wait(forest.children(node.number), node.to_world, node.number);
         placed.push_back(node);
     }
     return placed;

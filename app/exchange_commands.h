@@ -1,0 +1,17 @@
+/// Scenes to and from other programs' files. Each returns an ExitCode.
+#pragma once
+
+#include "app/commands.h"
+
+namespace hanei {
+
+struct ImportRequest {
+    std::filesystem::path file, out;
+    std::optional<std::filesystem::path> into;  ///< a project that the file's objects join; none: a new one
+    std::string unit = "m";                     ///< of the file: m, cm, mm, in, ft, or a number of metres
+    std::string up = "y";
+    std::string as = "auto";  ///< furniture, room, auto
+};
+int import_command(const ImportRequest& request);
+
+}  // namespace hanei
