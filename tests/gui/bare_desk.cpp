@@ -13,7 +13,7 @@ BareDesk::BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size) : cont
     io.ConfigDragClickToInputText = true;
     io.DisplaySize = size;
     map_keys(io);
-    style::apply(1.0F);
+    style::apply(Theme::dark, 1.0F, Language::english);
     unsigned char* pixels = nullptr;
     int width = 0;
     int height = 0;

@@ -25,7 +25,7 @@ void draw_swatch(ImDrawList& list, LightClass kind, ImVec2 low, float size) {
             list.AddLine({low.x + at, low.y}, {low.x, low.y + at}, shown(hatching_colour), 1.5F * style::scale());
         list.PopClipRect();
     }
-    list.AddRect(low, high, IM_COL32(255, 255, 255, 70), 2.0F);
+    list.AddRect(low, high, style::border, 2.0F);
 }
 
 std::string shortened(const std::string& text, const ImFont& font, float room) {
@@ -48,7 +48,7 @@ void class_legend(const ViewOptions& look, const SolutionSnapshot& solution, con
     const ImVec2 low{view.right - (card_width + 12.0F) * scale, view.top + 12.0F * scale};
     const ImVec2 high{view.right - 12.0F * scale, low.y + head + 4.0F * row_height * scale};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, high, IM_COL32(20, 22, 26, 225), 6.0F * scale);
+    list.AddRectFilled(low, high, style::card, 6.0F * scale);
     const float left = low.x + 10.0F * scale;
     const auto write = [&](ImVec2 at, const std::string& text, ImU32 colour) {
         list.AddText(&small, line, at, colour, text.c_str());

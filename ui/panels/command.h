@@ -53,6 +53,11 @@ enum class CommandId {
     toggle_grids,
     toggle_body,
     fit_range,
+    switch_theme,
+    switch_language,
+    larger,
+    smaller,
+    usual_size,
     show_keys,
     show_about,
 };
@@ -73,6 +78,7 @@ std::span<const Command> file_menu();
 std::span<const Command> edit_menu();
 std::span<const Command> add_menu();
 std::span<const Command> view_menu();
+std::span<const Command> look_menu();  ///< the end of the View menu
 std::span<const Command> help_menu();
 
 /// In the order of the menus.

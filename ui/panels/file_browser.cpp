@@ -69,7 +69,7 @@ void FileBrowser::accept() {
 
 void FileBrowser::list(WidgetRegistry& widgets) {
     const float below = 3.0F * ImGui::GetFrameHeightWithSpacing() + 8.0F * style::scale();
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, IM_COL32(0x1B, 0x1D, 0x22, 0xFF));
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, style::ground);
     ImGui::BeginChild("files", {0.0F, -below}, true);
     fs::path next;
     for (const Entry& entry : entries_) {

@@ -9,7 +9,11 @@ namespace {
 
 constexpr std::array names{
     std::pair{Key::space, "Space"},
+    std::pair{Key::minus, "-"},
     std::pair{Key::slash, "/"},
+    std::pair{Key::plus, "+"},
+    std::pair{Key::keypad_minus, "Keypad -"},
+    std::pair{Key::keypad_plus, "Keypad +"},
     std::pair{Key::escape, "Esc"},
     std::pair{Key::enter, "Enter"},
     std::pair{Key::tab, "Tab"},

@@ -12,7 +12,9 @@ namespace hanei {
 enum class Key : int {
     none = 0,
     space = 32,
+    minus = '-',
     slash = '/',
+    plus = '=',  ///< where the plus stands on a US keyboard
     escape = 256,
     enter,
     tab,
@@ -28,6 +30,8 @@ enum class Key : int {
     home,
     end,
     f1 = 290,
+    keypad_minus = 333,
+    keypad_plus = 334,
     keypad_enter = 335,
     left_shift = 340,
     left_control,

@@ -75,7 +75,7 @@ void legend(ViewState& state, const ScreenRect& view, WidgetRegistry& widgets) {
     const ImVec2 card_low{view.right - (card_width + 12.0F) * scale, view.top + 12.0F * scale};
     const ImVec2 card_high{view.right - 12.0F * scale, card_low.y + height};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(card_low, card_high, IM_COL32(20, 22, 26, 225), 6.0F * scale);
+    list.AddRectFilled(card_low, card_high, style::card, 6.0F * scale);
     const float left = card_low.x + 8.0F * scale;
     list.AddText(style::fonts().small, style::fonts().small->FontSize, {left, card_low.y + 7.0F * scale},
                  style::quiet_text, "Illuminance  lx");

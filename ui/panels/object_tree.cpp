@@ -10,10 +10,6 @@
 namespace hanei {
 namespace {
 
-constexpr ImU32 furniture_mark = IM_COL32(0x9A, 0x8C, 0x7A, 0xFF);
-constexpr ImU32 grid_mark = IM_COL32(0x6F, 0xB3, 0xB8, 0xFF);
-constexpr ImU32 view_mark = IM_COL32(0x9D, 0x8F, 0xD0, 0xFF);
-
 class Tree {
 public:
     Tree(const Scene& scene, ObjectId selected, WidgetRegistry& widgets)
@@ -78,12 +74,12 @@ std::optional<ObjectId> object_tree(const Scene& scene, ObjectId selected, Widge
     Tree tree(scene, selected, widgets);
     tree.room();
     tree.branch("Luminaires", scene.luminaires, style::accent, true);
-    tree.branch("Furniture", scene.furniture, furniture_mark, true);
-    tree.branch("Surfaces", scene.surfaces, furniture_mark, true);
-    tree.branch("Grids", scene.grids, grid_mark, true);
-    tree.branch("Points", scene.points, grid_mark, true);
+    tree.branch("Furniture", scene.furniture, style::furniture, true);
+    tree.branch("Surfaces", scene.surfaces, style::furniture, true);
+    tree.branch("Grids", scene.grids, style::reading, true);
+    tree.branch("Points", scene.points, style::reading, true);
     tree.branch("Materials", scene.materials, style::quiet_text, true);
-    tree.branch("Views", scene.views, view_mark, true);
+    tree.branch("Views", scene.views, style::sight, true);
     return tree.clicked;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 /// One of two words of which one is on.
 bool word(const char* label, bool on, const char* name, const char* help, WidgetRegistry& widgets) {
-    ImGui::PushStyleColor(ImGuiCol_Button, on ? IM_COL32(0xF2, 0xB8, 0x4B, 0x38) : IM_COL32(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? ImU32(style::chosen) : style::none);
     ImGui::PushStyleColor(ImGuiCol_Text, on ? style::accent : style::text);
     const bool pressed = ImGui::Button(label);
     ImGui::PopStyleColor(2);
@@ -88,7 +88,7 @@ void PhotometryPanel::plot(Form& form) {
     request.peak = figures_.peak.value;
     request.factor = per_kilolumen_ ? factor_ : 1.0;
     request.curves.push_back({plane_, false, style::accent, curve_});
-    if (other_ != plane_) request.curves.push_back({other_, true, second_plane_ink, other_curve_});
+    if (other_ != plane_) request.curves.push_back({other_, true, style::second, other_curve_});
     request.upward = shines_upward(curve_, request.peak) || shines_upward(other_curve_, request.peak);
     const HoveredGamma hovered = cartesian_ ? cartesian_plot(request, widgets) : polar_plot(request, widgets);
     readout_.clear();
@@ -118,7 +118,7 @@ void PhotometryPanel::plane_choices(Form& form) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
     plane_choice("photometry.plane", plane_, planes_, {plane_, false, style::accent, {}}, half, form);
     ImGui::SameLine(0.0F, gap);
-    plane_choice("photometry.other", other_, planes_, {other_, true, second_plane_ink, {}}, half, form);
+    plane_choice("photometry.other", other_, planes_, {other_, true, style::second, {}}, half, form);
 }
 
 void PhotometryPanel::actions(const Scene& scene, const Luminaire& luminaire, const Photometry& photometry, Form& form,

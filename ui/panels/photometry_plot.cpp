@@ -9,8 +9,6 @@
 namespace hanei {
 namespace {
 
-constexpr ImU32 line_ink = IM_COL32(0x3C, 0x41, 0x4A, 0xFF);
-constexpr ImU32 axis_ink = IM_COL32(0x55, 0x5B, 0x66, 0xFF);
 constexpr float curve_width = 2.0F;
 constexpr float dash = 6.0F, dash_gap = 4.0F;
 constexpr int ring_sides = 72;
@@ -33,7 +31,7 @@ void small_ground(ImVec2 at, ImVec2 anchor, const std::string& text) {
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e4F, 0.0F, text.c_str());
     const ImVec2 low{std::floor(at.x - anchor.x * size.x), std::floor(at.y - anchor.y * size.y)};
     ImGui::GetWindowDrawList()->AddRectFilled({low.x - 1.0F, low.y}, {low.x + size.x + 1.0F, low.y + size.y},
-                                              IM_COL32(0x1F, 0x22, 0x27, 0xD0), 2.0F);
+                                              style::card, 2.0F);
 }
 
 /// The plot's item: its corner, and the pointer when it is over it.
@@ -80,11 +78,12 @@ void draw_rings(const PolarFrame& frame, double step, bool upward) {
             const double gamma = last * (2.0 * k / ring_sides - 1.0);
             places.push_back(on_screen(frame.at(gamma, ring * step)));
         }
-        list.AddPolyline(places.data(), static_cast<int>(places.size()), line_ink, ImDrawFlags_None, 1.0F);
+        list.AddPolyline(places.data(), static_cast<int>(places.size()), style::plot, ImDrawFlags_None, 1.0F);
     }
     for (double gamma = -last; gamma <= last; gamma += tick_deg) {
         const bool axis = std::fmod(gamma, 90.0) == 0.0;
-        list.AddLine(on_screen(frame.centre), on_screen(frame.at(gamma, frame.full)), axis ? axis_ink : line_ink);
+        list.AddLine(on_screen(frame.centre), on_screen(frame.at(gamma, frame.full)),
+                     axis ? style::plot_axis : style::plot);
     }
 }
 
@@ -215,12 +214,12 @@ HoveredGamma cartesian_plot(const PlotRequest& request, WidgetRegistry& widgets)
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (int k = 0; k <= lines; ++k) {
         const float y = std::floor(place(0.0, k * step).y);
-        list.AddLine({low.x, y}, {high.x, y}, k == 0 ? axis_ink : line_ink);
+        list.AddLine({low.x, y}, {high.x, y}, k == 0 ? style::plot_axis : style::plot);
         small_text({low.x - 6.0F * scale, y}, {1.0F, 0.5F}, figure_on_axis(k * step));
     }
     for (double gamma = -last; gamma <= last; gamma += request.upward ? 2.0 * tick_deg : tick_deg) {
         const float x = std::floor(place(gamma, 0.0).x);
-        list.AddLine({x, low.y}, {x, high.y}, gamma == 0.0 ? axis_ink : line_ink);
+        list.AddLine({x, low.y}, {x, high.y}, gamma == 0.0 ? style::plot_axis : style::plot);
         small_text({x, high.y + 4.0F * scale}, {0.5F, 0.0F}, fmt::format("{:g}°", std::abs(gamma)));
     }
     for (auto curve = request.curves.rbegin(); curve != request.curves.rend(); ++curve) {

@@ -11,9 +11,6 @@
 
 namespace hanei {
 
-/// Cool beside the lamp light that the first plane is drawn in.
-inline constexpr ImU32 second_plane_ink = IM_COL32(0x7F, 0xB4, 0xE6, 0xFF);
-
 /// One plane as it is drawn.
 struct PlaneCurve {
     double plane_deg = 0.0;

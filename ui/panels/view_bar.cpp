@@ -14,7 +14,7 @@ namespace {
 
 /// One of a row of buttons of which one is on.
 bool segment(const char* label, bool on, CommandId id, WidgetRegistry& widgets) {
-    ImGui::PushStyleColor(ImGuiCol_Button, on ? IM_COL32(0xF2, 0xB8, 0x4B, 0x38) : IM_COL32(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? ImU32(style::chosen) : style::none);
     ImGui::PushStyleColor(ImGuiCol_Text, on ? style::accent : style::text);
     const bool pressed = ImGui::Button(label);
     ImGui::PopStyleColor(2);
@@ -119,7 +119,7 @@ void views_menu(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
 }  // namespace
 
 void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution, WidgetRegistry& widgets) {
-    ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Button, style::none);
     parts(state, widgets);
     gap();
     const bool photo = state.options.scale == Scale::photo;

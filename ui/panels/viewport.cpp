@@ -51,7 +51,7 @@ Viewport::Pointed Viewport::pointed(const Scene& scene, ImVec2 at) const {
 
 ViewOptions Viewport::options_of(const Input& input, int k) const {
     ViewOptions look = state.options;
-    look.dark_background = true;
+    look.dark_background = style::theme() == Theme::dark;
     if (state.four_up) look.part = four_parts[k];
     look.shadow_classes &= !state.four_up;
     const ObjectKind kind = kind_of(*input.scene, input.selection.primary());

@@ -22,7 +22,7 @@ void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float scale) 
     const ImVec2 along{(to.x - from.x) / length, (to.y - from.y) / length};
     const ImVec2 neck{to.x - 11.0F * scale * along.x, to.y - 11.0F * scale * along.y};
     const ImVec2 side{-5.0F * scale * along.y, 5.0F * scale * along.x};
-    const ImU32 shade = IM_COL32(0, 0, 0, 150);
+    const ImU32 shade = style::shade;
     list.AddLine(from, neck, shade, 4.5F * scale);
     list.AddLine(from, neck, colour, 2.5F * scale);
     list.AddTriangleFilled(to, {neck.x + side.x, neck.y + side.y}, {neck.x - side.x, neck.y - side.y}, colour);
@@ -34,8 +34,7 @@ void chip(ImVec2 at, const std::string& text, ImU32 colour) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({at.x - 8.0F * scale, at.y - 4.0F * scale},
-                       {at.x + size.x + 8.0F * scale, at.y + size.y + 5.0F * scale}, IM_COL32(20, 22, 26, 225),
-                       5.0F * scale);
+                       {at.x + size.x + 8.0F * scale, at.y + size.y + 5.0F * scale}, style::card, 5.0F * scale);
     list.AddText(at, colour, text.c_str());
 }
 
@@ -98,7 +97,7 @@ void Viewport::draw_handles(const Input& input, const Pane& pane, WidgetRegistry
         const float reach = 5.0F * scale;
         widgets.note(axis_names[k], {tip->x - reach, tip->y - reach, tip->x + reach, tip->y + reach});
     }
-    list.AddCircleFilled(*origin, 5.0F * scale, IM_COL32(0, 0, 0, 150));
+    list.AddCircleFilled(*origin, 5.0F * scale, style::shade);
     list.AddCircleFilled(*origin, 3.5F * scale, style::accent);
     if (!drag_ || !drag_->begun) return;
     const Vec3 by = drag_->last - drag_->gesture.start;

@@ -20,7 +20,6 @@ constexpr int body_planes = 24;  // half planes, 15 degrees apart
 constexpr int body_step = 5;     // degrees of gamma
 constexpr ImU32 ring_ink = IM_COL32(0xFF, 0xFF, 0xFF, 0x70);
 constexpr ImU32 body_ink = IM_COL32(0xFF, 0xF4, 0xDC, 0x90);
-constexpr ImU32 shade_ink = IM_COL32(0, 0, 0, 0x90);
 
 /// A direction of the file's own planes in the room: turned with the intensities and the luminaire.
 Vec3 in_room(const Luminaire& luminaire, const Photometry& photometry, double plane_deg, double gamma_deg) {
@@ -35,8 +34,7 @@ void chip(ImVec2 middle, const char* text, ImU32 colour) {
     const ImVec2 at{std::floor(middle.x - 0.5F * size.x), std::floor(middle.y - 0.5F * size.y)};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({at.x - 4.0F * scale, at.y - 1.0F * scale},
-                       {at.x + size.x + 4.0F * scale, at.y + size.y + 1.0F * scale}, IM_COL32(20, 22, 26, 225),
-                       3.0F * scale);
+                       {at.x + size.x + 4.0F * scale, at.y + size.y + 1.0F * scale}, style::card, 3.0F * scale);
     list.AddText(font, font->FontSize, at, colour, text);
 }
 
@@ -75,21 +73,21 @@ void Viewport::draw_planes(const Input& input, const Pane& pane, WidgetRegistry&
     for (int k = 0; k <= ring_sides; ++k) {
         ring.push_back(luminaire->position + radius * in_room(*luminaire, *photometry, 360.0 * k / ring_sides, 90.0));
     }
-    draw_line(pane, ring, shade_ink, 2.6F);
+    draw_line(pane, ring, style::shade, 2.6F);
     draw_line(pane, ring, ring_ink, 1.2F);
     struct Mark {
         double plane_deg;
         const char* name;
         ImU32 colour;
     };
-    constexpr std::array marks{Mark{90.0, "C90", second_plane_ink}, Mark{0.0, "C0", style::accent}};
+    const std::array marks{Mark{90.0, "C90", style::second}, Mark{0.0, "C0", style::accent}};
     for (const Mark& mark : marks) {
         const Vec3 along = in_room(*luminaire, *photometry, mark.plane_deg, 90.0);
         const auto from = pane.on_screen(luminaire->position + 0.86 * radius * along);
         const auto to = pane.on_screen(luminaire->position + 1.16 * radius * along);
         const auto label = pane.on_screen(luminaire->position + 1.36 * radius * along);
         if (!from || !to || !label) continue;
-        ImGui::GetWindowDrawList()->AddLine(*from, *to, shade_ink, 4.0F * style::scale());
+        ImGui::GetWindowDrawList()->AddLine(*from, *to, style::shade, 4.0F * style::scale());
         ImGui::GetWindowDrawList()->AddLine(*from, *to, mark.colour, 2.0F * style::scale());
         tip(*from, *to, mark.colour);
         chip(*label, mark.name, mark.colour);
@@ -120,7 +118,7 @@ void Viewport::draw_body(const Luminaire& luminaire, const Photometry& photometr
         std::vector<Vec3> curve;
         for (int gamma = 0; gamma <= 180; gamma += body_step) curve.push_back(place(plane, gamma));
         const int own = (plane - 90 * photometry.quarter_turns + 360) % 180;  // as the file counts its planes
-        const ImU32 colour = own == 0 ? style::accent : own == 90 ? second_plane_ink : body_ink;
+        const ImU32 colour = own == 0 ? ImU32(style::accent) : own == 90 ? ImU32(style::second) : body_ink;
         draw_line(pane, curve, colour, own % 90 == 0 ? 1.8F : 1.0F);
     }
 }

@@ -2,7 +2,6 @@
 
 #include "engine/edit/edit.h"
 #include "ui/panels/style.h"
-#include "ui/panels/view_bar.h"
 
 #include <imgui_internal.h>
 
@@ -15,7 +14,6 @@ Workbench::Workbench(ProjectContent content, std::filesystem::path file, Project
       document_(std::move(content), std::move(file)),
       study_(wake),
       exact_(std::move(wake)) {
-    viewport_.right_margin = legend_margin();
     viewport_.state.options.grids = false;  // dots over every surface; shown with a chosen grid, or by N
 }
 

@@ -65,11 +65,13 @@ private:
     bool can_edit(CommandId id) const;
     bool can_add(CommandId id) const;
     bool can_view(CommandId id) const;
+    bool can_look(CommandId id) const;
     bool can_help(CommandId id) const;
     void do_file(CommandId id);
     void do_edit(CommandId id);
     void do_add(CommandId id);
     void do_view(CommandId id);
+    void do_look(CommandId id);
     void do_help(CommandId id);
 
     void read_keys();

@@ -19,6 +19,7 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     const ScreenRect view{area.left, area.top + bar, area.right, area.bottom};
     ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);
     begin_panel("##view", view, false);
+    viewport_.right_margin = legend_margin();
     const Viewport::Input input{document_.shown(), study_.solution(), study_.answer(), selection_,
                                 raster(),          !study_.fresh(),   overlays_};
     const Viewport::Outcome outcome = viewport_.draw(input, paint, widgets_);

@@ -22,6 +22,7 @@ void Workbench::menu_bar() {
         if (!open) continue;
         if (entry.starts_section) ImGui::Separator();
         std::string label(tr(entry.label));
+        style::needs(label);
         if (entry.id == CommandId::undo && can(entry.id)) label += " " + document_.history().undo_name();
         if (entry.id == CommandId::redo && can(entry.id)) label += " " + document_.history().redo_name();
         const bool ticked =
@@ -30,6 +31,8 @@ void Workbench::menu_bar() {
             (entry.id == CommandId::toggle_shadow_classes && viewport_.state.options.shadow_classes) ||
             (entry.id == CommandId::toggle_shadow_outlines && viewport_.state.options.shadow_outlines) ||
             (entry.id == CommandId::toggle_isolux && viewport_.state.options.isolux) ||
+            (entry.id == CommandId::switch_theme && preferences_.theme == Theme::light) ||
+            (entry.id == CommandId::switch_language && preferences_.language == Language::japanese) ||
             (entry.id == CommandId::toggle_photo && viewport_.state.options.scale == Scale::photo);
         const bool wished = ImGui::MenuItem((label + "###" + std::string(entry.name)).c_str(),
                                             to_text(entry.chord).c_str(), ticked, can(entry.id));

@@ -10,7 +10,7 @@
 
 namespace hanei {
 
-Desk::Desk(Setup setup) : context_(ImGui::CreateContext()) {
+Desk::Desk(Setup setup) : context_(ImGui::CreateContext()), screen_scale_(setup.scale) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;               // the layout is the workbench's own
@@ -18,12 +18,13 @@ Desk::Desk(Setup setup) : context_(ImGui::CreateContext()) {
     io.ConfigDragClickToInputText = true;   // a click on a figure types, a drag slides it
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
     map_keys(io);
-    style::apply(setup.scale);
     if (!ImGui_ImplOpenGL3_Init("#version 330"))
         throw std::runtime_error("The window's OpenGL drawing does not start.");
     textures_ = std::make_unique<ViewTextures>();
     workbench_ = std::make_unique<Workbench>(std::move(setup.content), std::move(setup.file), std::move(setup.door),
                                              std::move(setup.wake), Workbench::Options{setup.repeatable});
+    const Preferences& wished = workbench_->preferences();
+    style::apply(wished.theme, wished.scale > 0.0 ? static_cast<float>(wished.scale) : screen_scale_, wished.language);
 }
 
 Desk::~Desk() {
@@ -41,6 +42,10 @@ void Desk::frame(PixelSize size, float seconds) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = std::max(seconds, 1e-4F);  // ImGui refuses frames without duration
+    if (style::follow(workbench_->preferences(), screen_scale_)) {
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
     input_.feed(io);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
@@ -49,7 +54,8 @@ void Desk::frame(PixelSize size, float seconds) {
     ImGui::Render();
     glViewport(0, 0, size.width, size.height);
     glDisable(GL_SCISSOR_TEST);
-    glClearColor(0.09F, 0.098F, 0.114F, 1.0F);
+    const ImVec4 ground = style::colour(style::ground);
+    glClearColor(ground.x, ground.y, ground.z, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     workbench_->after_frame();

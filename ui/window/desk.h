@@ -19,7 +19,7 @@ public:
         std::filesystem::path file;
         ProjectDoor door;
         std::function<void()> wake;  ///< called from another thread when a frame is due
-        float scale = 1.0F;          ///< of letters and distances: 2 on a dense screen
+        float scale = 1.0F;          ///< of letters and distances, where the preferences name none
         bool repeatable = false;     ///< show nothing that differs from run to run
     };
 
@@ -41,6 +41,7 @@ public:
 
 private:
     ImGuiContext* context_;
+    float screen_scale_;
     InputQueue input_;
     std::unique_ptr<ViewTextures> textures_;
     std::unique_ptr<Workbench> workbench_;

@@ -22,7 +22,7 @@ protected:
         io.DisplaySize = {400.0F, 800.0F};
         io.KeyMap[ImGuiKey_Enter] = static_cast<int>(Key::enter);
         io.KeyMap[ImGuiKey_Escape] = static_cast<int>(Key::escape);
-        style::apply(1.0F);
+        style::apply(Theme::dark, 1.0F, Language::english);
         unsigned char* pixels = nullptr;
         int width = 0;
         int height = 0;
