@@ -66,6 +66,7 @@ struct Arguments {
     SweepRequest study;
     ValidateRequest validate;
     ImportRequest import;
+    ExportRequest exported;
     std::filesystem::path check_project, photometry_file;
     std::optional<std::filesystem::path> photometry_json;
     std::optional<int> photometry_lamp_set;
@@ -195,6 +196,18 @@ void add_import(CLI::App& app, Arguments& arguments) {
         ->check(CLI::IsMember({"furniture", "room", "auto"}));
 }
 
+void add_export(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("export", "Write the scene, and its light as vertex colours, as glTF");
+    ExportRequest& request = arguments.exported;
+    add_project(*command, request.project);
+    command->add_option("--out", request.out, "File to write: .glb, or .gltf as text")->required();
+    command->add_option("--colours", request.colours, "What the light looks like; none: only what was authored")
+        ->check(CLI::IsMember({"photo", "false-colour", "none"}));
+    command->add_option("--low", request.low, "Lower end of false colours (lx)")->check(CLI::PositiveNumber);
+    command->add_option("--high", request.high, "Upper end of false colours (lx)")->check(CLI::PositiveNumber);
+    arguments.common.add_to(*command);
+}
+
 int run_desktop_from(Arguments& arguments) {
     if (arguments.desktop.project.empty()) arguments.desktop.project = start_room();
     read_size(arguments.size, arguments.desktop.width, arguments.desktop.height);
@@ -221,6 +234,10 @@ int run(const CLI::App& app, Arguments& arguments) {
         return study_command(arguments.study);
     }
     if (app.got_subcommand("import")) return import_command(arguments.import);
+    if (app.got_subcommand("export")) {
+        arguments.exported.change = change;
+        return export_command(arguments.exported);
+    }
     if (app.got_subcommand("check")) return check_command(arguments.check_project);
     if (app.got_subcommand("validate")) {
         arguments.validate.change = change;
@@ -250,6 +267,7 @@ int run_command_line(int argc, char** argv) {
     add_validate(app, arguments);
     add_photometry(app, arguments);
     add_import(app, arguments);
+    add_export(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& fault) {

@@ -14,4 +14,12 @@ struct ImportRequest {
 };
 int import_command(const ImportRequest& request);
 
+struct ExportRequest {
+    std::filesystem::path project, out;
+    std::string colours = "photo";    ///< false-colour, none: only what was authored
+    std::optional<double> low, high;  ///< lx, of false colours
+    SettingsChange change;
+};
+int export_command(const ExportRequest& request);
+
 }  // namespace hanei

@@ -31,8 +31,8 @@ struct GltfImport {
 ///
 ///   - every top-level node with meshes below it becomes one piece of furniture of its closed shells
 ///     (mesh_shapes.h), standing on the middle of its footprint and turned as its node; open ones become
-///     free surfaces. A lone empty root above lights or a room, or named as converters name it, is no
-///     object: its children are.
+///     free surfaces. A lone empty root above lights or a room, or named as converters
+///     name it, is no object: its children are.
 ///   - the room's shell (mesh_room.h) becomes the Room if it is an extruded plan, else free surfaces
 ///     that face inward. Shells around it are left out.
 ///   - lights become luminaires where their nodes hang them (gltf_lights.h).
