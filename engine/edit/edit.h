@@ -34,9 +34,11 @@ std::string display_name(const Scene& scene, ObjectId id);
 ObjectId object_named(const Scene& scene, const std::string& name);
 
 /// Where the object is held when it is moved: a luminaire's or piece of furniture's own place, the
-/// middle of a grid or surface. Empty for what does not move (rooms, materials, views).
+/// middle of a grid, a surface, a group or an arrangement. Empty for what does not move (rooms,
+/// materials, views).
 std::optional<Vec3> place_of(const Scene& scene, ObjectId id);
 
+/// As moved() of several objects (several.h) does.
 Scene moved(Scene scene, ObjectId id, const Vec3& by);
 
 /// Without the object. Materials and the room stay: other things rest on them.
@@ -47,9 +49,6 @@ struct Added {
     Scene scene;
     ObjectId object;
 };
-
-/// A copy beside the object: next to it along x, by its own width.
-Added duplicated(Scene scene, ObjectId id);
 
 /// New objects appear in the middle of the room: luminaires below its ceiling, boxes on its floor,
 /// grids and points at desk height.

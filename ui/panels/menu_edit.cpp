@@ -1,8 +1,10 @@
-#include "engine/edit/edit.h"
+#include "engine/edit/excerpt.h"
 #include "engine/edit/luminaire_edits.h"
+#include "ui/panels/box_tool.h"
 #include "ui/panels/workbench.h"
 
 #include <array>
+#include <numbers>
 
 namespace hanei {
 namespace {
@@ -17,11 +19,25 @@ constexpr std::array table{
             "edit.duplicate",
             "Edit",
             "Duplicate",
-            "Copy the selected object beside itself",
+            "Copy what is selected beside itself",
             control('D'),
             {},
             true},
-    Command{remove, "edit.delete", "Edit", "Delete", "Remove the selected object", {Key::del}},
+    Command{remove, "edit.delete", "Edit", "Delete", "Remove what is selected", {Key::del}},
+    Command{select_all,
+            "edit.select_all",
+            "Edit",
+            "Select all",
+            "Everything that stands or hangs in the room",
+            control('A'),
+            {},
+            true},
+    Command{select_same, "edit.select_same", "Edit", "Select same kind",
+            "All objects of the kinds that are selected: of one luminaire all luminaires", control('A', true)},
+    Command{
+        box_select, "edit.box_select", "Edit", "Select by a box",
+        "Draw a box: to the right it takes what it encloses, to the left what it touches. Or Shift+drag at any time",
+        plain('B')},
     Command{deselect,
             "edit.deselect",
             "Edit",
@@ -32,7 +48,7 @@ constexpr std::array table{
             "edit.turn",
             "Edit",
             "Turn by 90°",
-            "Turn the selected luminaire or furniture about the vertical",
+            "Turn what is selected about its middle, counter-clockwise from above",
             plain('T'),
             {},
             true},
@@ -99,30 +115,32 @@ constexpr std::array table{
 std::span<const Command> edit_menu() { return table; }
 
 bool Workbench::can_edit(CommandId id) const {
-    const ObjectKind kind = kind_of(*document_.shown(), selection_.primary());
+    const Scene& scene = *document_.shown();
     switch (id) {
         case CommandId::undo:
             return document_.history().can_undo();
         case CommandId::redo:
             return document_.history().can_redo();
         case CommandId::duplicate:
-            return can_remove(kind);
         case CommandId::remove:
-            return can_remove(kind);
+            return can_remove(scene, selection_.ids());
+        case CommandId::select_all:
+            return !all_objects(scene).empty();
+        case CommandId::select_same:
+            return !selection_.empty();
         case CommandId::deselect:
-            return static_cast<bool>(selection_.primary()) || study_.is_cancellable();
+            return !selection_.empty() || study_.is_cancellable();
         case CommandId::nudge_left:
         case CommandId::nudge_right:
         case CommandId::nudge_down:
         case CommandId::nudge_up:
         case CommandId::nudge_lower:
         case CommandId::nudge_higher:
-            return place_of(*document_.shown(), selection_.primary()).has_value();
         case CommandId::turn_object:
-            return kind == ObjectKind::luminaire || kind == ObjectKind::furniture;
+            return middle_of(scene, selection_.ids()).has_value();
         case CommandId::turn_intensities: {
-            const Luminaire* luminaire = find_luminaire(*document_.shown(), selection_.primary());
-            return luminaire != nullptr && photometry_of(*document_.shown(), *luminaire) != nullptr;
+            const Luminaire* luminaire = find_luminaire(scene, selection_.primary());
+            return luminaire != nullptr && photometry_of(scene, *luminaire) != nullptr;
         }
         default:
             return true;
@@ -137,14 +155,21 @@ void Workbench::do_edit(CommandId id) {
         case CommandId::redo:
             return document_.redo();
         case CommandId::duplicate:
-            return add(duplicated(scene, selection_.primary()), "Duplicate");
+            return add(duplicated(scene, selection_.ids()), "Duplicate " + words_for(scene, selection_.ids()));
         case CommandId::remove:
-            document_.commit(removed(scene, selection_.primary()),
-                             "Delete " + display_name(scene, selection_.primary()));
+            document_.commit(removed(scene, selection_.ids()),
+                             "Delete " + (selection_.ids().size() == 1 ? display_name(scene, selection_.primary())
+                                                                       : words_for(scene, selection_.ids())));
             selection_.clear();
             return;
+        case CommandId::select_all:
+            return choose(all_objects(scene));
+        case CommandId::select_same:
+            return choose(same_kind(scene, selection_.ids()));
+        case CommandId::box_select:
+            return viewport_.take_up(std::make_unique<BoxTool>(viewport_.state.options.grids));
         case CommandId::deselect:
-            if (!selection_.primary()) return study_.cancel();
+            if (selection_.empty()) return study_.cancel();
             selection_.clear();
             return;
         case CommandId::toggle_snap:
@@ -163,8 +188,9 @@ void Workbench::do_edit(CommandId id) {
         case CommandId::nudge_higher:
             return nudge({0.0, 0.0, 1.0});
         case CommandId::turn_object:
-            document_.commit(turned_by_a_quarter(scene, selection_.primary()),
-                             "Turn " + std::string(name_of(kind_of(scene, selection_.primary()))) + " by 90 degrees");
+            document_.commit(
+                turned(scene, selection_.ids(), *middle_of(scene, selection_.ids()), 0.5 * std::numbers::pi),
+                "Turn " + words_for(scene, selection_.ids()) + " by 90 degrees");
             return;
         case CommandId::turn_intensities: {
             Photometry turned =

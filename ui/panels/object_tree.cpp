@@ -1,23 +1,31 @@
 #include "ui/panels/object_tree.h"
 
-#include "engine/edit/edit.h"
+#include "ui/panels/choosing.h"
+#include "ui/panels/language.h"
 #include "ui/panels/property_rows.h"
 #include "ui/panels/style.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
 
 namespace hanei {
 namespace {
 
-class Tree {
+class Rows {
 public:
-    Tree(const Scene& scene, ObjectId selected, WidgetRegistry& widgets)
-        : scene_(scene), selected_(selected), widgets_(widgets) {}
+    Rows(const Scene& scene, const Selection& selection, ObjectId roll_to, WidgetRegistry& widgets)
+        : scene_(scene),
+          selection_(selection),
+          within_(objects_of(scene, selection.ids())),
+          roll_to_(roll_to),
+          widgets_(widgets) {}
 
     template <class List>
-    void branch(const char* title, const List& list, ImU32 mark, bool open) {
-        if (list.empty() || !heading(title, list.size(), open)) return;
+    void branch(const char* title, const List& list, ImU32 mark) {
+        const bool wanted =
+            std::any_of(list.begin(), list.end(), [&](const auto& object) { return object.id == roll_to_; });
+        if (list.empty() || !heading(title, list.size(), wanted)) return;
         for (const auto& object : list) leaf(object.id, mark_in_list(object, mark));
         ImGui::TreePop();
     }
@@ -26,14 +34,17 @@ public:
         if (scene_.room) leaf(scene_.room->id, style::quiet_text);
     }
 
-    std::optional<ObjectId> clicked;
+    ObjectIds order;  ///< of the rows that were drawn
+    ObjectId clicked;
+    bool by_right_button = false;
 
 private:
-    bool heading(const char* title, std::size_t count, bool open) {
+    bool heading(const char* title, std::size_t count, bool wanted) {
+        if (wanted) ImGui::SetNextItemOpen(true);
         ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
-        const std::string text = fmt::format("{}  {}###{}", title, count, title);
-        const int flags = ImGuiTreeNodeFlags_SpanAvailWidth | (open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-        const bool is_open = ImGui::TreeNodeEx(text.c_str(), flags);
+        const std::string text = fmt::format("{}  {}###{}", tr(title), count, title);
+        const bool is_open =
+            ImGui::TreeNodeEx(text.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_DefaultOpen);
         widgets_.note(fmt::format("tree.{}", title));
         ImGui::PopStyleColor();
         return is_open;
@@ -43,13 +54,22 @@ private:
         const std::string name = display_name(scene_, id);
         const float height = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();
+        const bool chosen = selection_.holds(id);
+        const bool taken_along = !chosen && std::find(within_.begin(), within_.end(), id) != within_.end();
         ImGui::PushID(static_cast<int>(id.value));
-        if (ImGui::Selectable(("      " + name).c_str(), id == selected_)) clicked = id;
+        if (taken_along) ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+        if (ImGui::Selectable(("      " + name).c_str(), chosen || taken_along)) clicked = id;
+        if (taken_along) ImGui::PopStyleColor();
         widgets_.note("tree." + name);
-        if (id == selected_ && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+        if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+            clicked = id;
+            by_right_button = true;
+        }
+        if (id == roll_to_ && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
         ImGui::PopID();
         const float radius = 4.0F * style::scale();
         ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 2.0F * radius, at.y + 0.5F * height}, radius, mark);
+        order.push_back(id);
     }
 
     /// A material is shown in its own colour, a luminaire in that of its light.
@@ -64,23 +84,44 @@ private:
     }
 
     const Scene& scene_;
-    ObjectId selected_;
+    const Selection& selection_;
+    ObjectIds within_;  ///< chosen by way of a group
+    ObjectId roll_to_;
     WidgetRegistry& widgets_;
 };
 
 }  // namespace
 
-std::optional<ObjectId> object_tree(const Scene& scene, ObjectId selected, WidgetRegistry& widgets) {
-    Tree tree(scene, selected, widgets);
-    tree.room();
-    tree.branch("Luminaires", scene.luminaires, style::accent, true);
-    tree.branch("Furniture", scene.furniture, style::furniture, true);
-    tree.branch("Surfaces", scene.surfaces, style::furniture, true);
-    tree.branch("Grids", scene.grids, style::reading, true);
-    tree.branch("Points", scene.points, style::reading, true);
-    tree.branch("Materials", scene.materials, style::quiet_text, true);
-    tree.branch("Views", scene.views, style::sight, true);
-    return tree.clicked;
+ObjectTree::Outcome ObjectTree::draw(const Scene& scene, const Selection& selection, WidgetRegistry& widgets) {
+    const bool elsewhere = selection.primary() != shown_;
+    shown_ = selection.primary();
+    Rows rows(scene, selection, elsewhere ? shown_ : ObjectId{}, widgets);
+    rows.room();
+    rows.branch("Luminaires", scene.luminaires, style::accent);
+    rows.branch("Arrangements", scene.arrangements, style::accent);
+    rows.branch("Furniture", scene.furniture, style::furniture);
+    rows.branch("Surfaces", scene.surfaces, style::furniture);
+    rows.branch("Groups", scene.object_groups, style::furniture);
+    rows.branch("Grids", scene.grids, style::reading);
+    rows.branch("Points", scene.points, style::reading);
+    rows.branch("Materials", scene.materials, style::quiet_text);
+    rows.branch("Views", scene.views, style::sight);
+    if (!rows.clicked) return {};
+    Selection after = selection;
+    if (rows.by_right_button) {
+        if (!after.holds(rows.clicked)) after.choose(rows.clicked);
+    } else if (ImGui::GetIO().KeyShift) {
+        after.clear();
+        for (const ObjectId id : rows_between(rows.order, anchor_, rows.clicked)) after.add(id);
+        after.add(rows.clicked);
+    } else if (ImGui::GetIO().KeyCtrl) {
+        after.toggle(rows.clicked);
+    } else {
+        after.choose(rows.clicked);
+    }
+    if (!ImGui::GetIO().KeyShift) anchor_ = rows.clicked;
+    shown_ = after.primary();
+    return {std::move(after), rows.by_right_button};
 }
 
 }  // namespace hanei

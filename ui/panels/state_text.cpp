@@ -80,6 +80,7 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     state["probe"] = workbench.viewport().probe() ? workbench.viewport().probe()->text() : "";
     state["luminaires"] = std::to_string(scene.luminaires.size());
     state["furniture"] = std::to_string(scene.furniture.size());
+    state["selected count"] = std::to_string(workbench.selection().ids().size());
     state["selected"] = display_name(scene, workbench.chosen());
     if (const auto place = place_of(scene, workbench.chosen())) {
         state["selected.x"] = fmt::format("{}", place->x);

@@ -1,4 +1,4 @@
-#include "engine/edit/edit.h"
+#include "engine/edit/several.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/probe.h"
 #include "ui/panels/style.h"
@@ -78,9 +78,12 @@ void Workbench::status_line(const ScreenRect& area) {
     ImGui::TextUnformatted(status.text.c_str());
     widgets_.note("status");
     std::string right = viewport_.tool() != nullptr ? viewport_.tool()->hint() : message_;
-    if (const auto place = place_of(*document_.shown(), selection_.primary())) {
-        right += fmt::format("{}{}  x {:.2f}  y {:.2f}  z {:.2f} m", right.empty() ? "" : "     ",
-                             display_name(*document_.shown(), selection_.primary()), place->x, place->y, place->z);
+    const Scene& scene = *document_.shown();
+    if (const auto place = middle_of(scene, selection_.ids())) {
+        const std::string what = selection_.ids().size() > 1 ? words_for(scene, selection_.ids())
+                                                             : display_name(scene, selection_.primary());
+        right += fmt::format("{}{}  x {:.2f}  y {:.2f}  z {:.2f} m", right.empty() ? "" : "     ", what, place->x,
+                             place->y, place->z);
     }
     right += snaps_ ? "     Snap 0.1 m" : "     Free";
     const float width = ImGui::CalcTextSize(right.c_str()).x;

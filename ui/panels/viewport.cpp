@@ -1,6 +1,7 @@
 #include "ui/panels/viewport.h"
 
-#include "engine/edit/edit.h"
+#include "ui/panels/box_tool.h"
+#include "ui/panels/choosing.h"
 #include "ui/panels/style.h"
 #include "ui/view/legend.h"
 #include "ui/view/pick.h"
@@ -66,7 +67,7 @@ void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
         const Pane& pane = panes_[k];
         ViewRequest request{k, input.scene, input.solution, pane.camera, options_of(input, k), {}, {}, moving()};
         request.size = {static_cast<int>(pane.width), static_cast<int>(pane.height)};
-        request.highlights.selected = input.selection.ids();
+        request.highlights.selected = objects_of(*input.scene, input.selection.ids());
         request.highlights.hovered = hovered_;
         if (void* texture = paint(request)) {
             ImGui::GetWindowDrawList()->AddImage(texture, {pane.left, pane.top},
@@ -155,8 +156,10 @@ Viewport::Outcome Viewport::handle_mouse(const Input& input, bool hovered) {
         look_around(pane);
     if (!drag_ && ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
         distance(mouse, pressed_at_) < click_slack) {
-        outcome.chosen = pick(*input.scene, pane.camera, pane.within(mouse), pane.aspect());
-        if (!*outcome.chosen && probe_ && input.scene->room) outcome.chosen = ObjectId{};
+        const ImGuiIO& io = ImGui::GetIO();
+        const ObjectId hit = pick(*input.scene, pane.camera, pane.within(mouse), pane.aspect());
+        outcome.chosen =
+            chosen_by_click(*input.scene, input.selection, hit, {io.KeyShift || io.KeyCtrl, io.KeyAlt, pressed_twice_});
     }
     return outcome;
 }
@@ -167,7 +170,7 @@ Viewport::Outcome Viewport::handle_tool(const Input& input, bool hovered) {
     outcome.moved = std::move(wished.scene);
     outcome.step = std::move(wished.step);
     outcome.released = wished.settles;
-    outcome.chosen_by_tool = std::move(wished.chosen);
+    outcome.chosen = std::move(wished.chosen);
     if (wished.finished) tool_.reset();
     return outcome;
 }
@@ -187,7 +190,7 @@ void Viewport::look_around(const Pane& pane) {
     if (!left && !right && !middle) return;
     turning_ = true;
     const Vec2 by{static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)};
-    if (middle || io.KeyShift) {
+    if (middle || (io.KeyShift && !left)) {
         camera = panned(camera, by / static_cast<double>(pane.height), pane.aspect());
     } else {
         camera.orthographic = false;  // a plan that is turned becomes a view again
@@ -198,12 +201,18 @@ void Viewport::look_around(const Pane& pane) {
 Viewport::Outcome Viewport::handle_press(const Input& input, const Pane& pane) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     pressed_at_ = mouse;
-    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::GetIO().KeyShift) return {};
+    pressed_twice_ = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return {};
+    if (ImGui::GetIO().KeyShift) {
+        take_up(std::make_unique<BoxTool>(options_of(input, active_pane_).grids, mouse));
+        return {};
+    }
     const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());
     if (!place) return {};
     const std::optional<Axis> axis = handle_under(input, pane, mouse);
-    const bool on_object =
-        pick(*input.scene, pane.camera, pane.within(mouse), pane.aspect()) == input.selection.primary();
+    const ObjectIds objects = objects_of(*input.scene, input.selection.ids());
+    const ObjectId hit = pick(*input.scene, pane.camera, pane.within(mouse), pane.aspect());
+    const bool on_object = std::find(objects.begin(), objects.end(), hit) != objects.end();
     if (!axis && !on_object) return {};
     const Ray ray = pane.ray(mouse);
     if (const auto gesture = DragGesture::begin(ray, *place, axis, reach_of(*input.scene))) {
@@ -221,7 +230,10 @@ Viewport::Outcome Viewport::handle_drag(const Input& input, const Pane& pane) {
         const double raster = io.KeyCtrl ? (input.raster > 0.0 ? 0.0 : 0.1) : input.raster;
         const Ray ray = pane.ray(io.MousePos);
         drag_->last = drag_->gesture.place(ray, raster, drag_->last);
-        if (drag_->last != *present) outcome.moved = moved(*input.scene, drag_->object, drag_->last - *present);
+        if (drag_->last != *present) {
+            outcome.moved = moved(*input.scene, input.selection.ids(), drag_->last - *present);
+            outcome.step = "Move " + words_for(*input.scene, input.selection.ids());
+        }
     }
     if (!io.MouseDown[ImGuiMouseButton_Left] || !present) {
         outcome.released = true;

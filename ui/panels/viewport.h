@@ -26,8 +26,9 @@ struct ViewState {
     bool range_fitted = false;      ///< the colour range was set by the user or from a solution
 };
 
-/// Mouse: left chooses, and drags what is chosen; on the room it turns the view. Right turns,
-/// middle (or Shift) shifts, the wheel goes towards what is under it.
+/// Mouse: left chooses (Shift or Ctrl: joins or leaves), and drags what is chosen; on the room it turns
+/// the view, with Shift it draws a box that chooses. Right turns, middle (or Shift+right) shifts, the
+/// wheel goes towards what is under it.
 class Viewport {
 public:
     ViewState state;
@@ -42,11 +43,10 @@ public:
         std::span<ViewOverlay* const> overlays{};
     };
     struct Outcome {
-        std::optional<ObjectId> chosen;  ///< clicked; the id of nothing beside everything
-        std::optional<Scene> moved;      ///< the scene with the dragged object where it is
-        bool released = false;           ///< the drag is over
-        std::string step{};              ///< what was done, when a tool did it
-        std::optional<Selection> chosen_by_tool{};
+        std::optional<Selection> chosen;  ///< by a click or a tool
+        std::optional<Scene> moved;       ///< the scene with what is dragged where it is
+        bool released = false;            ///< the drag is over
+        std::string step{};               ///< what is done
     };
 
     /// Draws into the rest of the present ImGui window.
@@ -125,6 +125,7 @@ private:
     std::optional<Drag> drag_;
     std::unique_ptr<ViewTool> tool_;
     bool turning_ = false;
+    bool pressed_twice_ = false;
     ImVec2 pressed_at_{0.0F, 0.0F};
     std::optional<Probe> probe_;
     ObjectId hovered_;

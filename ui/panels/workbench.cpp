@@ -64,6 +64,7 @@ void Workbench::draw(const ViewPainter& paint) {
     widgets_.begin_frame();
     form_.begin_frame();
     read_keys();
+    selection_.keep_existing(*document_.shown());
     follow_study();
     menu_bar();
 

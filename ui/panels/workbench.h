@@ -1,7 +1,7 @@
 /// The whole desktop but the platform: fed by ImGui's input, drawn by ImGui, painted by a ViewPainter.
 #pragma once
 
-#include "engine/edit/edit.h"
+#include "engine/edit/excerpt.h"
 #include "ui/panels/command.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/document.h"
@@ -9,6 +9,7 @@
 #include "ui/panels/file_browser.h"
 #include "ui/panels/form.h"
 #include "ui/panels/live_study.h"
+#include "ui/panels/object_tree.h"
 #include "ui/panels/photometry_panel.h"
 #include "ui/panels/preferences.h"
 #include "ui/panels/selection.h"
@@ -79,6 +80,8 @@ private:
     void settle();
     void propose(Scene scene, std::string step);
     void add(Added added, const char* step);
+    void add(AddedSeveral added, std::string step);
+    void choose(const ObjectIds& ids);
     void nudge(const Vec3& direction);
 
     void menu_bar();
@@ -131,6 +134,7 @@ private:
     std::vector<ViewOverlay*> overlays_;  ///< in the order in which they are drawn
     Arrival arrival_;
     Selection selection_;
+    ObjectTree tree_;
     bool snaps_ = true;
     bool quits_ = false;
     bool shows_overview_ = true;  ///< once the view has a size

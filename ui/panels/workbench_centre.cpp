@@ -1,4 +1,3 @@
-#include "engine/edit/edit.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/style.h"
 #include "ui/panels/view_bar.h"
@@ -29,12 +28,10 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
         legend(viewport_.state, view, widgets_);
     end_panel();
     ImGui::PopStyleColor();
-    if (outcome.chosen) selection_.choose(*outcome.chosen);
-    if (outcome.chosen_by_tool) selection_ = *outcome.chosen_by_tool;
+    if (outcome.chosen) selection_ = *outcome.chosen;
     if (outcome.moved) {
         gesture_item_ = ImGui::GetCurrentContext()->ActiveId;
-        const ObjectKind kind = kind_of(*outcome.moved, selection_.primary());
-        document_.propose(*outcome.moved, outcome.step.empty() ? "Move " + std::string(name_of(kind)) : outcome.step);
+        document_.propose(*outcome.moved, outcome.step);
     }
     if (outcome.released) document_.settle();
 }

@@ -1,5 +1,5 @@
 #include "engine/base/check.h"
-#include "engine/edit/edit.h"
+#include "engine/edit/several.h"
 #include "ui/panels/workbench.h"
 
 #include <algorithm>
@@ -38,10 +38,20 @@ void Workbench::add(Added added, const char* step) {
     selection_.choose(added.object);
 }
 
+void Workbench::add(AddedSeveral added, std::string step) {
+    document_.commit(std::move(added.scene), std::move(step));
+    choose(added.objects);
+}
+
+void Workbench::choose(const ObjectIds& ids) {
+    selection_.clear();
+    for (const ObjectId id : ids) selection_.add(id);
+}
+
 void Workbench::nudge(const Vec3& direction) {
     const double step = ImGui::GetIO().KeyShift ? 0.01 : 0.1;
-    const std::string name = "Move " + std::string(name_of(kind_of(*document_.shown(), selection_.primary())));
-    document_.commit(moved(*document_.shown(), selection_.primary(), step * direction), name);
+    const Scene& scene = *document_.shown();
+    document_.commit(moved(scene, selection_.ids(), step * direction), "Move " + words_for(scene, selection_.ids()));
 }
 
 }  // namespace hanei

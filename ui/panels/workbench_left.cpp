@@ -1,5 +1,4 @@
 #include "ui/panels/language.h"
-#include "ui/panels/object_tree.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/workbench.h"
 
@@ -12,8 +11,7 @@ void Workbench::left(const ScreenRect& area) {
     movable_edge(Edge::right, area, preferences_.left_width, 140.0F, 420.0F);
     headline(tr("Objects"), "");
     ImGui::BeginChild("tree");
-    if (const auto clicked = object_tree(*document_.shown(), selection_.primary(), widgets_))
-        selection_.choose(*clicked);
+    if (const auto clicked = tree_.draw(*document_.shown(), selection_, widgets_).chosen) selection_ = *clicked;
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemHovered())
         selection_.clear();
     ImGui::EndChild();

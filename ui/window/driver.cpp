@@ -1,7 +1,5 @@
 #include "ui/window/driver.h"
 
-#include "engine/edit/edit.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -104,21 +102,34 @@ Driver::Fault Driver::point_at(const std::string& widget) {
     return {};
 }
 
-Driver::Fault Driver::click(const std::string& widget, int which) {
+void Driver::hold(Held held, bool down) {
+    if (held.control) desk_->input().key(Key::left_control, down);
+    if (held.shift) desk_->input().key(Key::left_shift, down);
+    if (held.alt) desk_->input().key(Key::left_alt, down);
+}
+
+Driver::Fault Driver::click(const std::string& widget, int which, Held held) {
     if (Fault fault = point_at(widget); !fault.empty()) return fault;
+    hold(held, true);
     button(which, true);
     button(which, false);
+    hold(held, false);
+    run_queue();
     return {};
 }
 
 Driver::Fault Driver::double_click(const std::string& widget) {
     if (Fault fault = point_at(widget); !fault.empty()) return fault;
+    twice();
+    return {};
+}
+
+void Driver::twice() {
     for (int k = 0; k < 2; ++k) {
         desk_->input().mouse_button(0, true);
         desk_->input().mouse_button(0, false);
     }
     run_queue();
-    return {};
 }
 
 /// In `drag_steps` frames, or paced by the clock when it is to last some seconds.
@@ -148,25 +159,39 @@ Driver::Fault Driver::drag(const std::string& widget, float dx, float dy) {
     return {};
 }
 
-std::optional<ImVec2> Driver::object_on_screen(const std::string& object) const {
-    const Scene& scene = *workbench().document().shown();
-    const auto place = place_of(scene, object_named(scene, object));
-    if (!place) return std::nullopt;
-    return workbench().viewport().on_screen(*place);
-}
-
 Driver::Fault Driver::point_at_object(const std::string& object) {
     const auto at = object_on_screen(object);
-    if (!at) return "there is no object \"" + object + "\" in the view";
+    if (!at) return "there is no object \"" + object + "\" in the view, or others hide it";
     point_at(at->x, at->y);
     return {};
 }
 
-Driver::Fault Driver::click_object(const std::string& object) {
+Driver::Fault Driver::click_object(const std::string& object, int which, Held held) {
     if (Fault fault = point_at_object(object); !fault.empty()) return fault;
-    button(0, true);
-    button(0, false);
+    hold(held, true);
+    button(which, true);
+    button(which, false);
+    hold(held, false);
+    run_queue();
     return {};
+}
+
+Driver::Fault Driver::double_click_object(const std::string& object) {
+    if (Fault fault = point_at_object(object); !fault.empty()) return fault;
+    twice();
+    return {};
+}
+
+void Driver::drag_over(ImVec2 from, ImVec2 to, Held held) {
+    hold(held, true);
+    drag_path(from, to, 0.0);
+    hold(held, false);
+    run_queue();
+}
+
+void Driver::move_by(float dx, float dy) {
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    point_at(at.x + dx, at.y + dy);
 }
 
 void Driver::drop(std::vector<std::filesystem::path> files, float x, float y) {
@@ -180,44 +205,6 @@ Driver::Fault Driver::drop_on_object(std::vector<std::filesystem::path> files, c
     if (!at) return "there is no object \"" + object + "\" in the view";
     drop(std::move(files), at->x, at->y);
     return {};
-}
-
-namespace {
-
-/// How far above `foot` the place is that stands at the screen's row `y`, m: halved down from 20 m.
-double height_of_tip(const Viewport& viewport, const Vec3& foot, float y) {
-    double low = 0.0, high = 20.0;
-    for (int step = 0; step < 40; ++step) {
-        const double middle = 0.5 * (low + high);
-        const auto seen = viewport.on_screen(foot + Vec3{0.0, 0.0, middle});
-        (seen && seen->y > y ? low : high) = middle;
-    }
-    return low;
-}
-
-}  // namespace
-
-Driver::Fault Driver::drag_object(const std::string& object, const Vec3& by) { return drag_object(object, by, 0.0); }
-
-Driver::Fault Driver::drag_object(const std::string& object, const Vec3& by, double seconds) {
-    const ObjectId id = object_named(*workbench().document().shown(), object);
-    if (workbench().chosen() != id) {
-        if (Fault fault = click_object(object); !fault.empty()) return fault;
-        if (workbench().chosen() != id) return "a click on \"" + object + "\" chose something else";
-    }
-    const Vec3 start = *place_of(*workbench().document().shown(), id);
-    const bool upwards = by.z != 0.0;
-    Vec3 grip = start;
-    if (upwards) {
-        const ScreenRect* tip = workbench().widgets().find("handle.z");
-        if (tip == nullptr) return "the z arrow is not on the screen";
-        grip.z += height_of_tip(workbench().viewport(), start, tip->y());
-    }
-    const auto from = workbench().viewport().on_screen(grip);
-    const auto to = workbench().viewport().on_screen(grip + by);
-    if (!from || !to) return "\"" + object + "\" would leave the view";
-    drag_path(*from, *to, seconds);
-    return place_of(*workbench().document().shown(), id) == start ? "\"" + object + "\" did not move" : Fault{};
 }
 
 Driver::Fault Driver::press(std::string_view text) {

@@ -12,6 +12,11 @@
 
 namespace hanei {
 
+/// Keys that are held while something is clicked or dragged.
+struct HeldKeys {
+    bool control = false, shift = false, alt = false;
+};
+
 class Driver {
 public:
     struct Setup {
@@ -38,12 +43,17 @@ public:
 
     // Each returns what went wrong, or nothing.
     using Fault = std::string;
-    Fault click(const std::string& widget, int button = 0);
+    using Held = HeldKeys;
+    Fault click(const std::string& widget, int button = 0, Held held = {});
     Fault double_click(const std::string& widget);
     Fault point_at(const std::string& widget);
-    Fault drag(const std::string& widget, float dx, float dy);  ///< pixels
-    Fault click_object(const std::string& object);              ///< in the view
+    Fault drag(const std::string& widget, float dx, float dy);                      ///< pixels
+    Fault click_object(const std::string& object, int button = 0, Held held = {});  ///< where it is seen
+    Fault double_click_object(const std::string& object);
     Fault point_at_object(const std::string& object);
+    /// A drag over the picture from one place to another, in pixels from the window's top left.
+    void drag_over(ImVec2 from, ImVec2 to, Held held = {});
+    void move_by(float dx, float dy);                              ///< the pointer, whatever is held
     Fault drag_object(const std::string& object, const Vec3& by);  ///< metres: in the plan, or by the z arrow
     /// The same within `seconds` of real time, 60 frames a second if they can be had, as a hand does it.
     Fault drag_object(const std::string& object, const Vec3& by, double seconds);
@@ -62,6 +72,9 @@ public:
 
 private:
     std::optional<ImVec2> object_on_screen(const std::string& object) const;
+    bool is_free(ImVec2 at) const;
+    void hold(Held held, bool down);
+    void twice();  ///< a double click where the pointer is
     void run_queue();
     void drag_path(ImVec2 from, ImVec2 to, double seconds);
 

@@ -52,10 +52,11 @@ public:
     Fault play(const Words& words) {
         const std::string& verb = words[0];
         const auto is = [&](const char* name, std::size_t count) { return verb == name && words.size() == count; };
-        const bool object = words.size() > 2 && words[1] == "object";
-        if (verb == "click" && object) return driver_.click_object(words[2]);
-        if (is("click", 2)) return driver_.click(words[1]);
-        if (is("double", 2)) return driver_.double_click(words[1]);
+        if (verb == "click" || verb == "right" || verb == "double") return click(words);
+        if (verb == "box") return box(words);
+        if (verb == "hold") return hold(words);
+        if (verb == "move") return move(words);
+        if (is("release", 1)) return driver_.button(0, false), Fault{};
         if (verb == "point") return point(words);
         if (verb == "drag") return drag(words);
         if (verb == "drop") return drop(words);
@@ -84,6 +85,58 @@ private:
         const auto y = figure_of(words[2]);
         if (!x || !y) return "point wants a widget, an object or two figures";
         driver_.point_at(static_cast<float>(*x), static_cast<float>(*y));
+        return {};
+    }
+
+    /// The keys held, when the words end with "with KEY"; takes those words away.
+    static std::optional<Driver::Held> held_of(Words& words) {
+        Driver::Held held;
+        if (words.size() < 3 || words[words.size() - 2] != "with") return held;
+        const std::string key = words.back();
+        words.resize(words.size() - 2);
+        held.shift = key == "Shift" || key == "Ctrl+Shift";
+        held.control = key == "Ctrl" || key == "Ctrl+Shift";
+        held.alt = key == "Alt";
+        if (!held.shift && !held.control && !held.alt) return std::nullopt;
+        return held;
+    }
+
+    Fault click(Words words) {
+        const auto held = held_of(words);
+        if (!held) return "with wants Shift, Ctrl or Alt";
+        const bool object = words.size() == 3 && words[1] == "object";
+        if (!object && words.size() != 2) return words[0] + " wants a widget or an object";
+        const int button = words[0] == "right" ? 1 : 0;
+        if (words[0] == "double")
+            return object ? driver_.double_click_object(words[2]) : driver_.double_click(words[1]);
+        return object ? driver_.click_object(words[2], button, *held) : driver_.click(words[1], button, *held);
+    }
+
+    Fault box(Words words) {
+        const auto held = held_of(words);
+        std::vector<float> figures;
+        for (std::size_t k = 1; k < words.size(); ++k)
+            if (const auto figure = figure_of(words[k])) figures.push_back(static_cast<float>(*figure));
+        if (!held || words.size() != 5 || figures.size() != 4) return "box wants X Y X Y [with Shift or Ctrl]";
+        if (Fault fault = driver_.press("B"); !fault.empty()) return fault;
+        driver_.drag_over({figures[0], figures[1]}, {figures[2], figures[3]}, *held);
+        return {};
+    }
+
+    Fault hold(const Words& words) {
+        const bool object = words.size() == 3 && words[1] == "object";
+        if (!object && words.size() != 2) return "hold wants a widget or an object";
+        if (Fault fault = object ? driver_.point_at_object(words[2]) : driver_.point_at(words[1]); !fault.empty())
+            return fault;
+        driver_.button(0, true);
+        return {};
+    }
+
+    Fault move(const Words& words) {
+        const auto dx = words.size() == 3 ? figure_of(words[1]) : std::nullopt;
+        const auto dy = words.size() == 3 ? figure_of(words[2]) : std::nullopt;
+        if (!dx || !dy) return "move wants DX DY";
+        driver_.move_by(static_cast<float>(*dx), static_cast<float>(*dy));
         return {};
     }
 

@@ -1,8 +1,14 @@
 /// Scripts that use the desk as a person does.
 ///
 ///     click WIDGET                  a widget by its name (print widgets lists them)
-///     click object NAME             an object where it stands in the view
-///     double WIDGET                 a double click
+///     click object NAME             an object where it is seen in the view
+///     double WIDGET | double object NAME    a double click
+///     right WIDGET | right object NAME      a click with the right button
+///     click ... with Shift | Ctrl | Alt     with a key held; right clicks too
+///     box X Y X Y [with Shift | Ctrl]       a box over the view, from corner to corner, after key B
+///     hold WIDGET | hold object NAME        presses the left button there ...
+///     move DX DY                            ... moves the pointer by pixels ...
+///     release                               ... and lets go
 ///     point WIDGET | point object NAME | point X Y
 ///     drag WIDGET by DX DY          pixels
 ///     drag object NAME by DX DY DZ  metres: in the plan, or up with the z arrow

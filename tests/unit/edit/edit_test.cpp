@@ -1,7 +1,9 @@
 #include "engine/edit/edit.h"
 
+#include "engine/edit/excerpt.h"
 #include "engine/scene/scene_check.h"
 
+#include <array>
 #include <gtest/gtest.h>
 
 namespace hanei {
@@ -39,12 +41,13 @@ TEST(Editing, moves_only_the_object_it_is_about) {
 
 TEST(Editing, a_copy_has_an_id_of_its_own_and_stands_beside) {
     const Added box = with_box(empty_room());
-    const Added copy = duplicated(box.scene, box.object);
-    EXPECT_NE(copy.object, box.object);
+    const AddedSeveral copy = duplicated(box.scene, std::array{box.object});
+    ASSERT_EQ(copy.objects.size(), 1U);
+    EXPECT_NE(copy.objects.front(), box.object);
     EXPECT_EQ(copy.scene.furniture.size(), 2U);
-    const double beside = place_of(copy.scene, copy.object)->x - place_of(copy.scene, box.object)->x;
+    const double beside = place_of(copy.scene, copy.objects.front())->x - place_of(copy.scene, box.object)->x;
     EXPECT_NEAR(beside, 1.2, 1e-12);  // its own width, but for the rounding of a sum
-    EXPECT_EQ(removed(copy.scene, copy.object).furniture, box.scene.furniture);
+    EXPECT_EQ(removed(copy.scene, copy.objects).furniture, box.scene.furniture);
 }
 
 TEST(Editing, materials_and_the_room_cannot_be_removed) {

@@ -1,7 +1,8 @@
 #include "engine/edit/luminaire_edits.h"
 
-#include "engine/scene/intensity.h"
 #include "engine/edit/edit.h"
+#include "engine/edit/excerpt.h"
+#include "engine/scene/intensity.h"
 
 #include <gtest/gtest.h>
 #include <numbers>
@@ -29,9 +30,9 @@ Pair pair() {
     Pair made;
     Added added = with_measured_luminaire(empty_room(), spot(100.0));
     made.first = added.object;
-    added = duplicated(std::move(added.scene), added.object);
-    made.second = added.object;
-    made.scene = std::move(added.scene);
+    AddedSeveral copy = duplicated(std::move(added.scene), std::array{added.object});
+    made.second = copy.objects.front();
+    made.scene = std::move(copy.scene);
     return made;
 }
 
