@@ -11,19 +11,55 @@ using enum CommandId;
 
 constexpr std::array table{
     Command{show_overview, "view.overview", "View", "Overview", "Show all of the room from above", {Key::home}},
-    Command{show_plan, "view.plan", "View", "Plan", "Look straight down, to scale", plain('P')},
+    Command{show_plan, "view.plan", "View", "Plan", "Look straight down, to scale", plain('P'), {Key::keypad_7}},
+    Command{show_ceiling_plan,
+            "view.ceiling_plan",
+            "View",
+            "Ceiling plan",
+            "The ceiling as a mirror on the floor shows it, over the plan and to scale",
+            {key_of('P'), false, true},
+            {Key::keypad_7, true}},
+    Command{show_front,
+            "view.front",
+            "View",
+            "Front",
+            "Look from -y through the front wall, to scale",
+            {Key::keypad_1},
+            {key_of('F'), false, true}},
+    Command{
+        show_back, "view.back", "View", "Back", "Look from +y through the back wall, to scale", {Key::keypad_1, true}},
+    Command{
+        show_right, "view.right", "View", "Right", "Look from +x through the right wall, to scale", {Key::keypad_3}},
+    Command{
+        show_left, "view.left", "View", "Left", "Look from -x through the left wall, to scale", {Key::keypad_3, true}},
+    Command{toggle_orthographic,
+            "view.orthographic",
+            "View",
+            "To scale",
+            "Parallel projection in place of perspective, and back; what is in the middle keeps its size",
+            {Key::keypad_5}},
     Command{look_at_selection, "view.look", "View", "Centre on selection", "Turn about the selected object",
             plain('F')},
     Command{save_view, "view.save", "View", "Keep this view", "Add the present camera to the project's views",
             control('K')},
+    Command{split_view,
+            "view.split",
+            "View",
+            "Two pictures",
+            "Two pictures side by side, each from where you like; once more: one",
+            plain('6'),
+            {},
+            true},
+    Command{four_views, "view.four_views", "View", "Plan, front, side, perspective",
+            "Four pictures as in a drawing; once more: one", plain('7')},
     Command{part_total, "view.total", "View", "Total light", "Direct and interreflected light", plain('1'), {}, true},
     Command{part_direct, "view.direct", "View", "Direct light", "Light straight from luminaires", plain('2')},
     Command{part_interreflected, "view.interreflected", "View", "Interreflected light",
             "Light by way of other surfaces", plain('3')},
     Command{part_unshadowed, "view.unshadowed", "View", "Without shadows", "All light as if nothing stood in its way",
             plain('4')},
-    Command{four_up, "view.four_up", "View", "All four at once", "The four parts side by side, on one scale",
-            plain('5')},
+    Command{four_up, "view.four_up", "View", "All four at once",
+            "The four parts of the light side by side, on one scale", plain('5')},
     Command{toggle_photo,
             "view.photo",
             "View",
@@ -69,16 +105,28 @@ bool Workbench::can_view(CommandId id) const {
 void Workbench::do_view(CommandId id) {
     const Scene& scene = *document_.shown();
     ViewState& view = viewport_.state;
-    const auto show = [&](LightPart part) {
-        view.options.part = part;
-        view.options.shadow_classes = false;
-        view.four_up = false;
-    };
     switch (id) {
         case CommandId::show_overview:
-            return viewport_.show_overview(scene);
+            return viewport_.look_from(Standpoint::overview, scene);
         case CommandId::show_plan:
-            return viewport_.show_plan(scene);
+            return viewport_.look_from(Standpoint::plan, scene);
+        case CommandId::show_ceiling_plan:
+            return viewport_.look_from(Standpoint::ceiling_plan, scene);
+        case CommandId::show_front:
+            return viewport_.look_from(Standpoint::front, scene);
+        case CommandId::show_back:
+            return viewport_.look_from(Standpoint::back, scene);
+        case CommandId::show_left:
+            return viewport_.look_from(Standpoint::left, scene);
+        case CommandId::show_right:
+            return viewport_.look_from(Standpoint::right, scene);
+        case CommandId::toggle_orthographic:
+            view.camera = with_other_projection(view.camera);
+            return;
+        case CommandId::split_view:
+            return view.toggle(PaneLayout::split, scene);
+        case CommandId::four_views:
+            return view.toggle(PaneLayout::four, scene);
         case CommandId::look_at_selection:
             return viewport_.look_at(*place_of(scene, selection_.primary()));
         case CommandId::save_view: {
@@ -90,23 +138,20 @@ void Workbench::do_view(CommandId id) {
             return;
         }
         case CommandId::part_total:
-            return show(LightPart::total);
+            return view.show(LightPart::total, scene);
         case CommandId::part_direct:
-            return show(LightPart::direct);
+            return view.show(LightPart::direct, scene);
         case CommandId::part_interreflected:
-            return show(LightPart::interreflected);
+            return view.show(LightPart::interreflected, scene);
         case CommandId::part_unshadowed:
-            return show(LightPart::unshadowed);
+            return view.show(LightPart::unshadowed, scene);
         case CommandId::four_up:
-            view.four_up = !view.four_up;
-            return;
+            return view.toggle(PaneLayout::four_parts, scene);
         case CommandId::toggle_photo:
             view.options.scale = view.options.scale == Scale::photo ? Scale::false_colour : Scale::photo;
             return;
         case CommandId::toggle_shadow_classes:
-            view.options.shadow_classes = view.four_up || !view.options.shadow_classes;
-            view.four_up = false;
-            return;
+            return view.toggle_shadow_classes(scene);
         case CommandId::toggle_shadow_outlines:
             view.options.shadow_outlines = !view.options.shadow_outlines;
             return;

@@ -70,8 +70,9 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
         workbench.dialogs().shown_findings().empty() ? "" : workbench.dialogs().shown_findings().front().message;
     state["browser"] = truth(workbench.browser().is_open());
     state["snap"] = truth(workbench.is_snapping());
-    state["part"] =
-        workbench.viewport().state.four_up ? "four" : std::string(name_of(workbench.viewport().state.options.part));
+    state["part"] = workbench.viewport().state.panes.shows_parts()
+                        ? "four"
+                        : std::string(name_of(workbench.viewport().state.options.part));
     state["shadow classes"] = truth(workbench.viewport().state.options.shadow_classes);
     state["shadow outlines"] = truth(workbench.viewport().state.options.shadow_outlines);
     state["scale"] = std::string(name_of(workbench.viewport().state.options.scale));

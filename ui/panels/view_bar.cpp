@@ -36,7 +36,7 @@ void gap() {
     ImGui::SameLine(0.0F, 5.0F * style::scale());
 }
 
-void parts(ViewState& state, WidgetRegistry& widgets) {
+void parts(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
     struct Choice {
         const char* label;
         LightPart part;
@@ -48,16 +48,13 @@ void parts(ViewState& state, WidgetRegistry& widgets) {
         Choice{"Interreflected", LightPart::interreflected, CommandId::part_interreflected},
         Choice{"Unshadowed", LightPart::unshadowed, CommandId::part_unshadowed},
     };
+    const bool four = state.panes.shows_parts();
     for (const Choice& choice : choices) {
-        if (!segment(choice.label, !state.four_up && !state.options.shadow_classes && state.options.part == choice.part,
-                     choice.command, widgets))
-            continue;
-        state.options.part = choice.part;
-        state.options.shadow_classes = false;
-        state.four_up = false;
+        const bool on = !four && !state.options.shadow_classes && state.options.part == choice.part;
+        if (segment(choice.label, on, choice.command, widgets)) state.show(choice.part, scene);
     }
-    if (segment("Four", state.four_up, CommandId::four_up, widgets)) {
-        state.four_up = !state.four_up;
+    if (segment("Four", four, CommandId::four_up, widgets)) {
+        state.toggle(PaneLayout::four_parts, scene);
         state.options.shadow_classes = false;
     }
 }
@@ -92,13 +89,10 @@ void scale_menu(ViewState& state, const SolutionSnapshot& solution, WidgetRegist
     ImGui::EndPopup();
 }
 
-void shadows(ViewState& state, WidgetRegistry& widgets) {
-    bool& classes = state.options.shadow_classes;
+void shadows(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
     bool& outlines = state.options.shadow_outlines;
-    if (segment("Shadows", classes && !state.four_up, CommandId::toggle_shadow_classes, widgets)) {
-        classes = state.four_up || !classes;
-        state.four_up = false;
-    }
+    const bool classes = state.options.shadow_classes && !state.panes.shows_parts();
+    if (segment("Shadows", classes, CommandId::toggle_shadow_classes, widgets)) state.toggle_shadow_classes(scene);
     if (segment("Outlines", outlines, CommandId::toggle_shadow_outlines, widgets)) outlines = !outlines;
 }
 
@@ -120,10 +114,10 @@ void views_menu(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
 
 void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution, WidgetRegistry& widgets) {
     ImGui::PushStyleColor(ImGuiCol_Button, style::none);
-    parts(state, widgets);
+    parts(state, scene, widgets);
     gap();
     const bool photo = state.options.scale == Scale::photo;
-    const bool light = state.four_up || !state.options.shadow_classes;
+    const bool light = state.panes.shows_parts() || !state.options.shadow_classes;
     const auto choose = [&](const char* label, Scale scale, bool on) {
         if (!segment(label, light && on, CommandId::toggle_photo, widgets)) return;
         state.options.scale = scale;
@@ -132,7 +126,7 @@ void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solu
     choose("False colour", Scale::false_colour, !photo);
     choose("Photo", Scale::photo, photo);
     gap();
-    shadows(state, widgets);
+    shadows(state, scene, widgets);
     gap();
     scale_menu(state, solution, widgets);
     ImGui::SameLine(0.0F, 2.0F * style::scale());

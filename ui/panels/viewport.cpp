@@ -3,7 +3,6 @@
 #include "ui/panels/box_tool.h"
 #include "ui/panels/choosing.h"
 #include "ui/panels/style.h"
-#include "ui/view/legend.h"
 #include "ui/view/pick.h"
 
 #include <algorithm>
@@ -13,10 +12,6 @@ namespace hanei {
 namespace {
 
 constexpr float click_slack = 4.0F;  // pixels a click may move and still be a click
-constexpr double turn_rate = 0.008;  // rad a pixel: half a turn over 400 pixels
-constexpr double zoom_a_notch = 1.15;
-constexpr LightPart four_parts[] = {LightPart::total, LightPart::direct, LightPart::unshadowed,
-                                    LightPart::interreflected};
 
 double reach_of(const Scene& scene) { return 4.0 * std::max(1.0, bounds_of(scene).diameter()); }
 
@@ -24,37 +19,23 @@ float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
-Camera& Viewport::camera_of_pane(int) { return state.camera; }
-
-void Viewport::show(const Scene& scene, Preset preset) {
-    const bool covered = !state.four_up && pane_.width > 2.0F * right_margin;
-    const double share = covered ? static_cast<double>(right_margin / pane_.height) : 0.0;  // in picture heights
-    state.camera = panned(preset(bounds_of(scene), aspect() - share), {-0.5 * share, 0.0}, aspect());
-    preset_ = preset;
-    preset_camera_ = state.camera;
-}
-
-void Viewport::show_overview(const Scene& scene) { show(scene, overview); }
-void Viewport::show_plan(const Scene& scene) { show(scene, plan_view); }
-
 void Viewport::look_at(const Vec3& place) {
     state.camera.eye += place - state.camera.target;
     state.camera.target = place;
 }
 
 Viewport::Pointed Viewport::pointed(const Scene& scene, ImVec2 at) const {
-    for (int k = 0; k < pane_count(); ++k) {
-        const Pane& pane = panes_[k];
-        if (pane.holds(at)) return {pane.ray(at), pick(scene, pane.camera, pane.within(at), pane.aspect())};
-    }
-    return {};
+    const std::optional<int> under = state.panes.under(at);
+    if (!under) return {};
+    const Pane& pane = state.panes.pane(*under);
+    return {pane.ray(at), pick(scene, pane.camera, pane.within(at), pane.aspect())};
 }
 
 ViewOptions Viewport::options_of(const Input& input, int k) const {
     ViewOptions look = state.options;
     look.dark_background = style::theme() == Theme::dark;
-    if (state.four_up) look.part = four_parts[k];
-    look.shadow_classes &= !state.four_up;
+    look.part = state.panes.part(k, look.part);
+    look.shadow_classes &= !state.panes.shows_parts();
     const ObjectKind kind = kind_of(*input.scene, input.selection.primary());
     look.shadows_of = kind == ObjectKind::luminaire ? input.selection.primary() : ObjectId{};
     look.grids |= kind == ObjectKind::grid || kind == ObjectKind::point;
@@ -62,9 +43,8 @@ ViewOptions Viewport::options_of(const Input& input, int k) const {
 }
 
 void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
-    const int count = state.four_up ? 4 : 1;
-    for (int k = 0; k < count; ++k) {
-        const Pane& pane = panes_[k];
+    for (int k = 0; k < state.panes.count(); ++k) {
+        const Pane& pane = state.panes.pane(k);
         ViewRequest request{k, input.scene, input.solution, pane.camera, options_of(input, k), {}, {}, moving()};
         request.size = {static_cast<int>(pane.width), static_cast<int>(pane.height)};
         request.highlights.selected = objects_of(*input.scene, input.selection.ids());
@@ -77,51 +57,32 @@ void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
     }
 }
 
-void Viewport::lay_out_panes(const Pane& all) {
-    const float gap = 2.0F;
-    const float width = state.four_up ? std::floor((all.width - gap) / 2.0F) : all.width;
-    const float height = state.four_up ? std::floor((all.height - gap) / 2.0F) : all.height;
-    for (int k = 0; k < 4; ++k) {
-        panes_[k] = {all.left + static_cast<float>(k % 2) * (width + gap),
-                     all.top + static_cast<float>(k / 2) * (height + gap), width, height, camera_of_pane(k)};
-    }
-}
-
 Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, WidgetRegistry& widgets) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float kept_clear = state.four_up ? right_margin : 0.0F;
-    const Pane all{
-        corner.x, corner.y, std::max(16.0F, std::floor(room.x - kept_clear)), std::max(16.0F, std::floor(room.y)), {}};
-    lay_out_panes(all);
-    const bool reshaped = pane_.width != panes_[0].width || pane_.height != panes_[0].height;
-    pane_ = panes_[0];
-    if (reshaped && preset_ != nullptr && state.camera == preset_camera_) {
-        show(*input.scene, preset_);
-        lay_out_panes(all);
-    }
+    const float kept_clear = state.panes.count() > 1 ? right_margin : 0.0F;
+    const ScreenRect all{corner.x, corner.y, corner.x + std::max(16.0F, std::floor(room.x - kept_clear)),
+                         corner.y + std::max(16.0F, std::floor(room.y))};
+    right_edge_ = all.right;
+    PaneSet& panes = state.panes;
+    panes.lay_out(all, state.camera);
+    panes.follow_shapes(state.camera, bounds_of(*input.scene), covered());
+    panes.lay_out(all, state.camera);
     ImGui::InvisibleButton(
-        "view", {all.width, all.height},
+        "view", {all.right - all.left, all.bottom - all.top},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();  // the scale and its fields stand over it
     widgets.note("view");
     const bool hovered = ImGui::IsItemHovered();
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (!ImGui::IsItemActive() || ImGui::IsItemActivated()) {
-        active_pane_ = 0;
-        for (int k = 0; k < pane_count(); ++k) {
-            if (panes_[k].holds(mouse)) active_pane_ = k;
-        }
-    }
+    choose_pane(hovered);
 
     Outcome outcome = handle_mouse(input, hovered);
-    lay_out_panes(all);  // with the cameras as they are after that
-    pane_ = panes_[0];
-    read_light(input, panes_[active_pane_], hovered);
+    panes.lay_out(all, state.camera);  // with the cameras as they are after that
+    read_light(input, panes.pane(under_pointer_), hovered);
     paint_panes(input, paint);
     ImDrawList& draw_list = *ImGui::GetWindowDrawList();
-    for (int k = 0; k < pane_count(); ++k) {
-        const Pane& each = panes_[k];
+    for (int k = 0; k < panes.count(); ++k) {
+        const Pane& each = panes.pane(k);
         draw_list.PushClipRect({each.left, each.top}, {each.left + each.width, each.top + each.height}, true);
         draw_isolux_labels(input, each, k);
         draw_planes(input, each, widgets);
@@ -130,19 +91,20 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
             tool_->draw(sight_of(input, k, hovered), widgets);
         else
             draw_handles(input, each, widgets);
-        if (state.four_up) draw_title(each, heading_of(four_parts[k]));
         draw_list.PopClipRect();
     }
+    draw_pane_frames(input, all, widgets);
     draw_readout(input, all);
     return outcome;
 }
 
 PaneSight Viewport::sight_of(const Input& input, int k, bool hovered) const {
-    return {panes_[k], k, input.scene, input.answer, input.selection, input.raster, hovered && active_pane_ == k};
+    return {state.panes.pane(k),           k, input.scene, input.answer, input.selection, input.raster,
+            hovered && under_pointer_ == k};
 }
 
 Viewport::Outcome Viewport::handle_mouse(const Input& input, bool hovered) {
-    const Pane pane = panes_[active_pane_];
+    const Pane pane = state.panes.pane(under_pointer_);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (tool_) {
         look_around(pane);
@@ -165,7 +127,7 @@ Viewport::Outcome Viewport::handle_mouse(const Input& input, bool hovered) {
 }
 
 Viewport::Outcome Viewport::handle_tool(const Input& input, bool hovered) {
-    ViewTool::Outcome wished = tool_->handle(sight_of(input, active_pane_, hovered));
+    ViewTool::Outcome wished = tool_->handle(sight_of(input, under_pointer_, hovered));
     Outcome outcome;
     outcome.moved = std::move(wished.scene);
     outcome.step = std::move(wished.step);
@@ -175,36 +137,13 @@ Viewport::Outcome Viewport::handle_tool(const Input& input, bool hovered) {
     return outcome;
 }
 
-void Viewport::look_around(const Pane& pane) {
-    const ImGuiIO& io = ImGui::GetIO();
-    turning_ = false;
-    Camera& camera = camera_of_pane(active_pane_);
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) {
-        camera = zoomed(camera, std::pow(zoom_a_notch, static_cast<double>(io.MouseWheel)), pane.within(io.MousePos),
-                        pane.aspect());
-    }
-    if (!ImGui::IsItemActive()) return;
-    const bool left = !tool_ && ImGui::IsMouseDragging(ImGuiMouseButton_Left, click_slack);
-    const bool right = ImGui::IsMouseDragging(ImGuiMouseButton_Right, 0.0F);
-    const bool middle = ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0.0F);
-    if (!left && !right && !middle) return;
-    turning_ = true;
-    const Vec2 by{static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)};
-    if (middle || (io.KeyShift && !left)) {
-        camera = panned(camera, by / static_cast<double>(pane.height), pane.aspect());
-    } else {
-        camera.orthographic = false;  // a plan that is turned becomes a view again
-        camera = orbited(camera, turn_rate * by);
-    }
-}
-
 Viewport::Outcome Viewport::handle_press(const Input& input, const Pane& pane) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     pressed_at_ = mouse;
     pressed_twice_ = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return {};
     if (ImGui::GetIO().KeyShift) {
-        take_up(std::make_unique<BoxTool>(options_of(input, active_pane_).grids, mouse));
+        take_up(std::make_unique<BoxTool>(options_of(input, under_pointer_).grids, mouse));
         return {};
     }
     const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());

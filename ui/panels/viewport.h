@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/panels/drag.h"
-#include "ui/panels/pane.h"
+#include "ui/panels/pane_set.h"
 #include "ui/panels/probe.h"
 #include "ui/panels/view_painter.h"
 #include "ui/panels/view_tool.h"
@@ -19,11 +19,18 @@ namespace hanei {
 
 /// What of the room is looked at, and how: kept by the window, not by the project.
 struct ViewState {
-    Camera camera;
-    ViewOptions options;
-    bool four_up = false;           ///< total, direct, unshadowed and interreflected at once
+    Camera camera;        ///< of the active picture
+    ViewOptions options;  ///< of all pictures, the part of the light of the active one
+    PaneSet panes;
     bool photometric_body = false;  ///< of the chosen luminaire, as wire
     bool range_fitted = false;      ///< the colour range was set by the user or from a solution
+
+    PaneSet::Present present() { return {camera, options.part}; }
+    void choose(PaneLayout layout, const Scene& scene) { panes.choose(layout, present(), bounds_of(scene)); }
+    void toggle(PaneLayout layout, const Scene& scene) { panes.toggle(layout, present(), bounds_of(scene)); }
+    /// One part of the light in the active picture; where all four parts were shown, that one alone.
+    void show(LightPart part, const Scene& scene);
+    void toggle_shadow_classes(const Scene& scene);  ///< where all four parts were shown: instead of them
 };
 
 /// Mouse: left chooses (Shift or Ctrl: joins or leaves), and drags what is chosen; on the room it turns
@@ -69,19 +76,18 @@ public:
         ObjectId object;
     };
     Pointed pointed(const Scene& scene, ImVec2 at) const;
-    float right_edge() const { return panes_[state.four_up ? 1 : 0].left + panes_[0].width; }
+    float right_edge() const { return right_edge_; }
 
     /// Where a place of the room is on the screen, in the (first) picture. Empty behind the eye.
-    std::optional<ImVec2> on_screen(const Vec3& place) const { return pane_.on_screen(place); }
+    std::optional<ImVec2> on_screen(const Vec3& place) const { return state.panes.pane(0).on_screen(place); }
 
-    /// Picture width over height, as drawn last.
-    double aspect() const { return pane_.aspect(); }
+    /// Width over height of the active picture, as drawn last.
+    double aspect() const { return state.panes.active_pane().aspect(); }
 
     /// Pixels at the right that the scale stands in: presets keep the room clear of it.
     float right_margin = 0.0F;
 
-    void show_overview(const Scene& scene);
-    void show_plan(const Scene& scene);
+    void look_from(Standpoint standpoint, const Scene& scene);
     void look_at(const Vec3& place);
 
 private:
@@ -92,14 +98,15 @@ private:
         bool begun = false;  ///< the mouse went far enough to mean it
     };
 
-    using Preset = Camera (*)(const Bounds&, double);
-    void show(const Scene& scene, Preset preset);
     void draw_isolux_labels(const Input& input, const Pane& pane, int k);
     void paint_panes(const Input& input, const ViewPainter& paint);
-    int pane_count() const { return state.four_up ? 4 : 1; }
-    void lay_out_panes(const Pane& all);
-    Camera& camera_of_pane(int k);
+    float covered() const { return state.panes.layout() == PaneLayout::single ? right_margin : 0.0F; }
+    void choose_pane(bool hovered);
     void look_around(const Pane& pane);
+    void draw_pane_frames(const Input& input, const ScreenRect& all, WidgetRegistry& widgets);
+    void draw_pane_title(const Input& input, int k, WidgetRegistry& widgets);
+    void pane_menu(const Input& input, int k, WidgetRegistry& widgets);
+    void draw_dividers(const ScreenRect& all, WidgetRegistry& widgets);
     Outcome handle_mouse(const Input& input, bool hovered);
     Outcome handle_press(const Input& input, const Pane& pane);
     Outcome handle_drag(const Input& input, const Pane& pane);
@@ -111,17 +118,14 @@ private:
     void draw_line(const Pane& pane, const std::vector<Vec3>& places, ImU32 colour, float width) const;
     ViewOptions options_of(const Input& input, int k) const;
     void draw_title(const Pane& pane, const std::string& text) const;
-    void draw_readout(const Input& input, const Pane& all) const;
+    void draw_readout(const Input& input, const ScreenRect& all) const;
     std::optional<Axis> handle_under(const Input& input, const Pane& pane, ImVec2 at) const;
     double handle_length(const Pane& pane, const Vec3& place) const;
     PaneSight sight_of(const Input& input, int k, bool hovered) const;
     Outcome handle_tool(const Input& input, bool hovered);
 
-    Pane pane_;  ///< the first picture
-    Pane panes_[4];
-    int active_pane_ = 0;
-    Preset preset_ = nullptr;  ///< what was shown last, and the camera it gave: kept to while it is untouched
-    Camera preset_camera_;
+    int under_pointer_ = 0;  ///< the picture that the pointer is in, or was in when a button went down
+    float right_edge_ = 0.0F;
     std::optional<Drag> drag_;
     std::unique_ptr<ViewTool> tool_;
     bool turning_ = false;

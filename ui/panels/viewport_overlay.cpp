@@ -74,8 +74,11 @@ double Viewport::handle_length(const Pane& pane, const Vec3& place) const {
 std::optional<Axis> Viewport::handle_under(const Input& input, const Pane& pane, ImVec2 at) const {
     const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());
     if (!place) return std::nullopt;
+    const auto origin = pane.on_screen(*place);
     for (const Axis axis : axes) {
         const auto tip = pane.on_screen(*place + handle_length(pane, *place) * direction_of(axis));
+        const bool end_on = tip && origin && std::hypot(tip->x - origin->x, tip->y - origin->y) < 6.0F * style::scale();
+        if (end_on) continue;  // not drawn either
         if (tip && std::hypot(tip->x - at.x, tip->y - at.y) < grip_radius * style::scale()) return axis;
     }
     return std::nullopt;
@@ -93,7 +96,7 @@ void Viewport::draw_handles(const Input& input, const Pane& pane, WidgetRegistry
         const auto tip = pane.on_screen(*place + handle_length(pane, *place) * direction_of(axes[k]));
         if (!tip || (drag_ && drag_->gesture.axis && drag_->gesture.axis != axes[k])) continue;
         arrow(list, *origin, *tip, under == axes[k] ? style::accent : axis_colours[k], scale);
-        if (&pane != &panes_[0]) continue;
+        if (&pane != &state.panes.pane(0)) continue;
         const float reach = 5.0F * scale;
         widgets.note(axis_names[k], {tip->x - reach, tip->y - reach, tip->x + reach, tip->y + reach});
     }
@@ -106,11 +109,11 @@ void Viewport::draw_handles(const Input& input, const Pane& pane, WidgetRegistry
     chip({origin->x - 0.5F * ImGui::CalcTextSize(text.c_str()).x, origin->y + 16.0F * scale}, text, style::text);
 }
 
-void Viewport::draw_readout(const Input& input, const Pane& all) const {
+void Viewport::draw_readout(const Input& input, const ScreenRect& all) const {
     if (!probe_ || drag_) return;
     const float scale = style::scale();
     const std::string text = probe_->text() + (input.stale ? " · before the last change" : "");
-    chip({all.left + 20.0F * scale, all.top + all.height - ImGui::GetTextLineHeight() - 17.0F * scale}, text,
+    chip({all.left + 20.0F * scale, all.bottom - ImGui::GetTextLineHeight() - 17.0F * scale}, text,
          input.stale ? style::quiet_text : style::text);
 }
 

@@ -91,7 +91,7 @@ void Viewport::draw_planes(const Input& input, const Pane& pane, WidgetRegistry&
         ImGui::GetWindowDrawList()->AddLine(*from, *to, mark.colour, 2.0F * style::scale());
         tip(*from, *to, mark.colour);
         chip(*label, mark.name, mark.colour);
-        if (&pane == &panes_[0])
+        if (&pane == &state.panes.pane(0))
             widgets.note(std::string("plane.") + mark.name,
                          {label->x - 5.0F, label->y - 5.0F, label->x + 5.0F, label->y + 5.0F});
     }

@@ -49,7 +49,7 @@ void Workbench::settle() {
 }
 
 void Workbench::follow_study() {
-    const bool unshadowed = viewport_.state.four_up || viewport_.state.options.part == LightPart::unshadowed;
+    const bool unshadowed = viewport_.state.panes.shows(LightPart::unshadowed, viewport_.state.options.part);
     const bool shadows = viewport_.state.options.shadow_classes || viewport_.state.options.shadow_outlines;
     study_.follow({document_.shown(), document_.settings(), unshadowed, document_.in_gesture(), shadows});
     ViewState& view = viewport_.state;
@@ -83,7 +83,7 @@ void Workbench::draw(const ViewPainter& paint) {
     centre({left_edge + 1.0F, all.top, right_edge, bottom_edge}, paint);
     if (shows_overview_) {
         // The view's size is known once it was drawn.
-        viewport_.show_overview(*document_.shown());
+        viewport_.look_from(Standpoint::overview, *document_.shown());
         shows_overview_ = false;
     }
     settle();

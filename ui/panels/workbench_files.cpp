@@ -94,7 +94,7 @@ void Workbench::after_frame() {
     plain.replace_filename(file.stem().string() + "-plain.png");
     PictureRequest request = picture_request();
     try {
-        const bool four = viewport_.state.four_up;
+        const bool four = viewport_.state.panes.shows_parts();
         const auto picture = [&] {
             return four ? render_four_up(study_.solution(), request) : render_picture(study_.solution(), request);
         };

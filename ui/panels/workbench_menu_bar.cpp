@@ -27,7 +27,10 @@ void Workbench::menu_bar() {
         if (entry.id == CommandId::redo && can(entry.id)) label += " " + document_.history().redo_name();
         const bool ticked =
             (entry.id == CommandId::toggle_snap && snaps_) ||
-            (entry.id == CommandId::four_up && viewport_.state.four_up) ||
+            (entry.id == CommandId::four_up && viewport_.state.panes.shows_parts()) ||
+            (entry.id == CommandId::split_view && viewport_.state.panes.layout() == PaneLayout::split) ||
+            (entry.id == CommandId::four_views && viewport_.state.panes.layout() == PaneLayout::four) ||
+            (entry.id == CommandId::toggle_orthographic && viewport_.state.camera.orthographic) ||
             (entry.id == CommandId::toggle_shadow_classes && viewport_.state.options.shadow_classes) ||
             (entry.id == CommandId::toggle_shadow_outlines && viewport_.state.options.shadow_outlines) ||
             (entry.id == CommandId::toggle_isolux && viewport_.state.options.isolux) ||

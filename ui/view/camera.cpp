@@ -15,6 +15,7 @@ constexpr double overview_azimuth = 0.46;        // rad, from the normal of the 
 constexpr double overview_elevation = 0.64;      // rad: floor, two walls and the desks' tops all show
 constexpr double fit_margin = 0.93;              // share of the picture that the bounds may fill
 constexpr double pole_margin = 0.01;             // rad that orbiting stays away from straight down
+constexpr double upright_slack = 1e-6;           // rad from the vertical: less is straight up or down
 constexpr double nearest_share = 1e-3;           // of the scene: nothing nearer to the eye is drawn
 
 std::array<Vec3, 8> corners_of(const Bounds& bounds) {
@@ -50,7 +51,7 @@ Extent projected_extent(const Camera& camera, const Bounds& bounds, double aspec
 }
 
 /// Moves back and sideways until the bounds fill the picture; the direction of view stays.
-Camera fitted(Camera camera, const Bounds& bounds, double aspect) {
+Camera fitted_from_afar(Camera camera, const Bounds& bounds, double aspect) {
     for (int round = 0; round < 12; ++round) {
         const Extent extent = projected_extent(camera, bounds, aspect);
         const Vec2 size = extent.high - extent.low;
@@ -74,10 +75,16 @@ CameraAxes axes_of(const Camera& camera) {
     const double distance = glm::length(towards);
     CameraAxes axes;
     axes.forward = distance > 0.0 ? towards / distance : Vec3(0.0, 0.0, -1.0);
-    const bool upright = std::hypot(axes.forward.x, axes.forward.y) > 1e-6;
+    const bool upright = std::hypot(axes.forward.x, axes.forward.y) > upright_slack;
     axes.right = glm::normalize(glm::cross(axes.forward, upright ? Vec3(0.0, 0.0, 1.0) : Vec3(0.0, 1.0, 0.0)));
     axes.up = glm::cross(axes.right, axes.forward);
+    if (is_mirrored(camera)) axes.right = -axes.right;
     return axes;
+}
+
+bool is_mirrored(const Camera& camera) {
+    const Vec3 towards = camera.target - camera.eye;
+    return camera.orthographic && towards.z > 0.0 && std::hypot(towards.x, towards.y) <= upright_slack * towards.z;
 }
 
 Camera camera_of(const View& view) { return {view.eye, view.target, view.field_of_view, view.orthographic}; }
@@ -101,17 +108,59 @@ Camera overview(const Bounds& authored, double aspect) {
     camera.field_of_view = overview_field_of_view;
     camera.target = 0.5 * (bounds.low + bounds.high);
     camera.eye = camera.target + 3.0 * bounds.diameter() * from_target(azimuth, overview_elevation);
-    return fitted(camera, bounds, aspect);
+    return fitted_from_afar(camera, bounds, aspect);
 }
 
-Camera plan_view(const Bounds& authored, double aspect) {
+Camera plan_view(const Bounds& bounds, double aspect) { return along_axis({0.0, 0.0, 1.0}, bounds, aspect); }
+
+Camera along_axis(const Vec3& from, const Bounds& authored, double aspect) {
     const Bounds bounds = with_some_size(authored);
     Camera camera;
     camera.orthographic = true;
     camera.field_of_view = overview_field_of_view;
     camera.target = 0.5 * (bounds.low + bounds.high);
-    camera.eye = camera.target + Vec3(0.0, 0.0, 3.0 * bounds.diameter());
-    return fitted(camera, bounds, aspect);
+    camera.eye = camera.target + 3.0 * bounds.diameter() * from;
+    return fitted_from_afar(camera, bounds, aspect);
+}
+
+/// In the camera's own axes, every corner must lie between the picture's edges: from the eye they open
+/// by a slope a side, so that the farthest corners along each edge's normal decide.
+Camera fitted(const Camera& camera, const Bounds& authored, double aspect) {
+    const Bounds bounds = with_some_size(authored);
+    const CameraAxes axes = axes_of(camera);
+    const Vec3 middle = 0.5 * (bounds.low + bounds.high);
+    const double slope = fit_margin * half_height(camera);
+    const Vec2 slopes(slope * aspect, slope);
+    Vec2 low(-1e300), high(1e300), extent(0.0);  // where the edges meet depth 0; half sizes
+    double nearest = 0.0;
+    for (const Vec3& corner : corners_of(bounds)) {
+        const Vec3 from = corner - middle;
+        const Vec2 aside(glm::dot(from, axes.right), glm::dot(from, axes.up));
+        const double depth = glm::dot(from, axes.forward);
+        low = glm::max(low, aside - depth * slopes);
+        high = glm::min(high, aside + depth * slopes);
+        extent = glm::max(extent, glm::abs(aside));
+        nearest = std::max(nearest, -depth);
+    }
+    Camera back = camera;
+    Vec3 aside(0.0);
+    double distance = std::max(extent.x / slopes.x, extent.y / slopes.y);
+    if (!camera.orthographic) {
+        const Vec2 depths = 0.5 * (high - low) / slopes;
+        const Vec2 centre = 0.5 * (low + high);
+        // The widest lenses could stand at the nearest corner itself.
+        distance = std::max(-std::min(depths.x, depths.y), nearest + 0.15 * bounds.diameter());
+        aside = centre.x * axes.right + centre.y * axes.up;
+    }
+    back.target = middle + aside;
+    back.eye = back.target - distance * axes.forward;
+    return back;
+}
+
+Camera with_other_projection(const Camera& camera) {
+    Camera other = camera;
+    other.orthographic = !camera.orthographic;
+    return other;
 }
 
 Ray ray_through(const Camera& camera, Vec2 at, double aspect) {
@@ -184,7 +233,8 @@ glm::dmat4 view_projection(const Camera& camera, double aspect, const Bounds& au
     }
     near_depth -= 0.02 * size;
     far_depth = std::max(far_depth + 0.02 * size, near_depth + size);
-    const glm::dmat4 view = glm::lookAt(camera.eye, camera.eye + axes.forward, axes.up);
+    glm::dmat4 view = glm::lookAt(camera.eye, camera.eye + axes.forward, axes.up);
+    if (is_mirrored(camera)) view = glm::scale(glm::dmat4(1.0), Vec3(-1.0, 1.0, 1.0)) * view;
     const double half = half_height(camera);
     if (camera.orthographic) {
         const double height = half * distance_to_target(camera);

@@ -29,7 +29,11 @@ struct CameraAxes {
     Vec3 forward{0.0, 0.0, -1.0};
 };
 /// Up leans towards +z; looking straight up or down it is +y, so that plans have north at the top.
+/// An orthographic camera that looks straight up gives a reflected ceiling plan, as a mirror on the
+/// floor would show it: right is +x there too, so that it lies over the plan, and the frame is
+/// left-handed.
 CameraAxes axes_of(const Camera& camera);
+bool is_mirrored(const Camera& camera);  ///< whether it is
 
 Camera camera_of(const View& view);
 View view_of(const Camera& camera, std::string name);
@@ -39,6 +43,12 @@ View view_of(const Camera& camera, std::string name);
 Camera overview(const Bounds& bounds, double aspect);
 /// Straight down, orthographic, north (y) up.
 Camera plan_view(const Bounds& bounds, double aspect);
+/// Orthographic, from far out in this direction (unit).
+Camera along_axis(const Vec3& from, const Bounds& bounds, double aspect);
+/// Looks at the middle of the bounds, in its own direction, and shows all of them as large as it can.
+Camera fitted(const Camera& camera, const Bounds& bounds, double aspect);
+/// The other projection, with what is at the target as large as before.
+Camera with_other_projection(const Camera& camera);
 
 /// All take and give pictures positions as 0..1 from the top left; aspect is width / height.
 Ray ray_through(const Camera& camera, Vec2 at, double aspect);

@@ -200,6 +200,7 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_PROGRAM_POINT_SIZE);
+    glFrontFace(is_mirrored(camera) ? GL_CW : GL_CCW);
 
     const Pass pass = pass_of(camera, size, b.bounds);
     if (b.edge_scale != pass.pixel_scale) b.load_lines(pass.pixel_scale);
@@ -225,6 +226,7 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
     }
     blend(false);
     b.draw_highlights(pass, highlights);
+    glFrontFace(GL_CCW);
     glDisable(GL_DEPTH_TEST);
     glUseProgram(0);
     glBindVertexArray(0);

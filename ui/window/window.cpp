@@ -18,6 +18,7 @@ namespace {
 
 static_assert(static_cast<int>(Key::escape) == GLFW_KEY_ESCAPE && static_cast<int>(Key::end) == GLFW_KEY_END &&
               static_cast<int>(Key::f1) == GLFW_KEY_F1 && static_cast<int>(Key::keypad_enter) == GLFW_KEY_KP_ENTER &&
+              static_cast<int>(Key::keypad_0) == GLFW_KEY_KP_0 &&
               static_cast<int>(Key::left_shift) == GLFW_KEY_LEFT_SHIFT && GLFW_KEY_LAST < key_count);
 
 constexpr int frames_after_input = 3;  // ImGui needs two to settle a popup's size
