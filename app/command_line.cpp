@@ -6,6 +6,7 @@
 #include "app/exit_code.h"
 #include "app/files.h"
 #include "app/photometry_command.h"
+#include "app/why_command.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -67,6 +68,7 @@ struct Arguments {
     ValidateRequest validate;
     ImportRequest import;
     ExportRequest exported;
+    WhyRequest why;
     std::filesystem::path check_project, photometry_file;
     std::optional<std::filesystem::path> photometry_json;
     std::optional<int> photometry_lamp_set;
@@ -127,10 +129,21 @@ void add_render(CLI::App& app, Arguments& arguments) {
                         "Whose shadow classes and outlines, by name or number; none: all luminaires");
     command->add_option("--scale", request.scale, "How it is coloured")
         ->check(CLI::IsMember({"false-colour", "photo"}));
-    command->add_option("--steps", request.steps, "Colour scale: logarithmic, linear, or steps of EN 12464-1")
+    command
+        ->add_option("--steps", request.steps,
+                     "Colour scale: logarithmic, linear, or steps of EN 12464-1; else the project's")
         ->check(CLI::IsMember({"log", "linear", "en"}));
-    command->add_option("--low", request.low, "Lower end of the colour scale (lx)")->check(CLI::PositiveNumber);
+    command->add_option("--low", request.low, "Lower end of the colour scale (lx); else the project's or fitted")
+        ->check(CLI::PositiveNumber);
     command->add_option("--high", request.high, "Upper end of the colour scale (lx)")->check(CLI::PositiveNumber);
+    command->add_flag("--fit", request.fits, "Fit the colour scale to the light, whatever the project's scale is");
+    command->add_flag("--mark-clipped", request.marks_clipped, "Hatch what lies outside the colour scale");
+    command->add_option("--isolux", request.isolux, "Levels of the isolux lines, such as 100,300,500")
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber);
+    command->add_option("--unit", request.unit, "Unit of figures in the picture: lux or foot-candles")
+        ->check(CLI::IsMember({"lx", "fc"}));
+    command->add_flag("--values", request.values, "Write the figures of calculation grids and points into the picture");
     command->add_flag("--plain", request.plain, "No legend and no caption");
     command->add_flag("--exact", request.exact,
                       "Direct light exact at every pixel and smooth edges of objects and shadows: takes seconds");
@@ -138,6 +151,21 @@ void add_render(CLI::App& app, Arguments& arguments) {
         ->add_option("--samples", request.samples,
                      "Rays a pixel where neighbours differ, with --exact; 1: one everywhere")
         ->check(CLI::Range(1, 256));
+    arguments.common.add_to(*command);
+}
+
+void add_why(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand(
+        "why", "Why it is as bright at a place as it is: by luminaire, group, reflection and surface");
+    WhyRequest& request = arguments.why;
+    add_project(*command, request.project);
+    auto* const at = command->add_option("--at", request.at, "The place, as X,Y,Z (m)")->delimiter(',')->expected(3);
+    command->add_option("--normal", request.normal, "The direction that the place faces; none: up, 0,0,1")
+        ->delimiter(',')
+        ->expected(3);
+    command->add_option("--point", request.point, "A calculation point by name or number, in place of --at")
+        ->excludes(at);
+    command->add_option("--json", request.json, "Write the same as JSON");
     arguments.common.add_to(*command);
 }
 
@@ -225,6 +253,10 @@ int run(const CLI::App& app, Arguments& arguments) {
         read_size(arguments.render_size, arguments.render.width, arguments.render.height);
         return render_command(arguments.render);
     }
+    if (app.got_subcommand("why")) {
+        arguments.why.change = change;
+        return why_command(arguments.why);
+    }
     if (app.got_subcommand("plan")) {
         arguments.plan.change = change;
         return plan_command(arguments.plan);
@@ -261,6 +293,7 @@ int run_command_line(int argc, char** argv) {
     add_desktop(app, arguments);
     add_solve(app, arguments);
     add_render(app, arguments);
+    add_why(app, arguments);
     add_plan(app, arguments);
     add_study(app, arguments);
     add_check(app, arguments);

@@ -30,8 +30,13 @@ struct RenderRequest {
     bool shadow_outlines = false;
     std::string luminaire;  ///< whose shadows, by name or number from 1; empty: all
     std::string scale = "false-colour";
-    std::string steps = "log";        ///< log, linear, en
+    std::string steps;                ///< log, linear, en; empty: as the project's scale
     std::optional<double> low, high;  ///< lx
+    bool fits = false;                ///< the scale is fitted to the light, whatever the project's is
+    bool marks_clipped = false;       ///< what lies outside the scale is hatched
+    bool values = false;              ///< figures at calculation points
+    std::vector<double> isolux;       ///< in `unit`; none: as the project's scale
+    std::string unit = "lx";          ///< or "fc"
     bool plain = false;               ///< no legend, no caption
     bool exact = false;               ///< direct light exact at every pixel
     int samples = 16;                 ///< rays a pixel at edges, when exact

@@ -29,17 +29,27 @@ std::optional<Camera> camera_for(const RenderRequest& request, const Scene& scen
     return std::nullopt;
 }
 
-/// Part, scale and steps by their names, as the options' own check allows them.
-ViewOptions options_for(const RenderRequest& request) {
+/// Part, scale and steps by their names, as the options' own check allows them; what is not asked for is
+/// the project's.
+ViewOptions options_for(const RenderRequest& request, const Scene& scene) {
     ViewOptions options;
+    if (scene.colour_scale) take_scale(options, *scene.colour_scale);
     for (const LightPart part : {LightPart::total, LightPart::direct, LightPart::interreflected, LightPart::unshadowed})
         if (name_of(part) == request.part) options.part = part;
     for (const Scale scale : {Scale::false_colour, Scale::photo})
         if (name_of(scale) == request.scale) options.scale = scale;
     options.shadow_classes = request.part == "shadow-classes";
     options.shadow_outlines = request.shadow_outlines;
-    if (request.steps == "linear") options.steps = ColourSteps::linear;
-    if (request.steps == "en") options.steps = ColourSteps::standard_steps;
+    options.values = options.pins = request.values;
+    if (request.unit == "fc") options.unit = IlluminanceUnit::foot_candle;
+    ColourScale asked = scale_of(options);
+    if (!request.steps.empty()) asked.steps = request.steps;
+    asked.marks_clipped |= request.marks_clipped;
+    if (!request.isolux.empty()) asked.isolux = request.isolux;
+    for (double& level : asked.isolux)
+        if (!request.isolux.empty()) level *= lux_in(options.unit);
+    std::sort(asked.isolux.begin(), asked.isolux.end());
+    take_scale(options, asked);
     return options;
 }
 
@@ -65,9 +75,10 @@ void print_unknown_view(const RenderRequest& request, const Scene& scene) {
     std::fputs("\n", stderr);
 }
 
-/// What the light reaches, unless the ends of the scale are given; false when those are no range.
+/// The project's, or what the light reaches, unless the ends of the scale are given; false when those are
+/// no range.
 bool choose_range(const RenderRequest& request, const Solution& solution, LuxRange& range) {
-    range = suggested_range(solution);
+    if (request.fits || !solution.scene->colour_scale) range = suggested_range(solution);
     if (request.low) range.low = *request.low;
     if (request.high) range.high = *request.high;
     if (range.low < range.high) return true;
@@ -124,7 +135,7 @@ int render_command(const RenderRequest& request) {
     request.change(project->settings);
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
     PictureRequest picture;
-    picture.options = options_for(request);
+    picture.options = options_for(request, *scene);
     picture.size = {request.width, request.height};
     picture.annotated = !request.plain;
     const auto camera = camera_for(request, *scene, view_size(picture).aspect());

@@ -17,6 +17,14 @@ uniform vec2 lux_range;
 uniform sampler2D colours;    // 256 x 1
 uniform vec3 colour_below;
 uniform vec3 colour_above;
+uniform bool marks_clipped;   // what lies beyond the ends is hatched
+uniform vec3 stripe_below;
+uniform vec3 stripe_above;
+uniform vec2 stripes;         // distance and width, pixels
+uniform bool difference;      // of two solutions: -lux_range.y to lux_range.y
+uniform vec3 of_difference[6];  // much less, less, none, more, much more, nothing to compare
+uniform float shade_of_stripe;
+uniform float least_striped;  // of lux_range.y
 uniform int border_count;     // bands: borders of equally spaced colours
 uniform float borders[64];
 uniform int line_count;       // lines of equal illuminance, lx
@@ -54,9 +62,13 @@ float scale_position(float lux) {
     return border_count < 3 ? 0.5 : float(band) / float(border_count - 2);
 }
 
+bool in_stripe(float across) { return mod(0.70710678 * across, stripes.x) < stripes.y; }
+
 vec3 scale_colour(float position) {
-    if (position < 0.0) return colour_below;
-    if (position > 1.0) return colour_above;
+    bool falling = marks_clipped && in_stripe(gl_FragCoord.x + gl_FragCoord.y);
+    bool rising = marks_clipped && in_stripe(gl_FragCoord.x - gl_FragCoord.y);
+    if (!(position >= 0.0)) return falling ? stripe_below : colour_below;
+    if (position > 1.0) return falling || rising ? stripe_above : colour_above;
     return texture(colours, vec2((position * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
 
@@ -77,6 +89,17 @@ float line_cover(float lux, float steepness, out float line_lux) {
     return sloped * apart * clamp(0.5 * line_width + 0.5 - nearest / max(steepness, 1e-9), 0.0, 1.0);
 }
 
+vec3 difference_colour(float lux) {
+    if (!(lux < 1e20)) return of_difference[5];
+    float share = lux / lux_range.y;
+    float half_ways = 2.0 * min(abs(share), 1.0);
+    vec3 middle = share < 0.0 ? of_difference[1] : of_difference[3];
+    vec3 end = share < 0.0 ? of_difference[0] : of_difference[4];
+    vec3 shown = half_ways < 1.0 ? mix(of_difference[2], middle, half_ways) : mix(middle, end, half_ways - 1.0);
+    bool striped = share < -least_striped && in_stripe(gl_FragCoord.x + gl_FragCoord.y);
+    return striped ? shade_of_stripe * shown : shown;
+}
+
 vec3 photograph(vec3 lux) {
     vec3 shown = exposure * reflectance * lux / 3.14159265;
     shown = shown * pow(max(shown, vec3(1e-6)), vec3(0.18));   // a film's contrast about the middle
@@ -93,6 +116,10 @@ void main() {
     float smooth_log = log(max(lux_at(uv), 1e-3));
     float steepness = length(vec2(dFdx(smooth_log), dFdy(smooth_log)));
     float lux = lux_at(clamp(uv, 0.0, 1.0));
+    if (difference) {
+        colour = vec4(difference_colour(lux), 1.0);
+        return;
+    }
     if (photo) {
         vec2 inside = clamp(uv, 0.0, 1.0);
         vec3 bands = vec3(between(corner_red, inside), between(corner_green, inside), between(corner_blue, inside));

@@ -58,6 +58,7 @@ Project read_fields(JsonReading& reading, const JsonValue& root, const std::file
     read_arrangements(reader, fields);
     read_calculation(reader, fields);
     read_views(reader, fields);
+    read_colour_scale(reader, fields);
     reader.scene.unknown = unknown_of(fields, std::move(kept));
     project.scene = std::move(reader.scene);
     return project;

@@ -41,6 +41,7 @@ void read_light_scenes(SceneReader& reader, Fields& root);
 void read_arrangements(SceneReader& reader, Fields& root);
 void read_calculation(SceneReader& reader, Fields& root);  ///< grids and points
 void read_views(SceneReader& reader, Fields& root);
+void read_colour_scale(SceneReader& reader, Fields& root);
 
 /// Unknown settings come back as a member "settings" of `kept`.
 void read_settings(Settings& settings, Fields& root, JsonValue& kept);

@@ -144,6 +144,7 @@ JsonValue json_of(const Project& project) {
     add_objects(root, "grids", scene.grids);
     add_objects(root, "points", scene.points);
     add_objects(root, "views", scene.views);
+    if (scene.colour_scale) root.add("colour_scale", json_of(*scene.colour_scale));
     add_objects(root, "photometries", scene.photometries);
     root.add("last_id", json_number(scene.last_id));
     add_unknown(root, scene.unknown);

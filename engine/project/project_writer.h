@@ -41,6 +41,7 @@ JsonValue json_of(const Material& material);
 JsonValue json_of(const CalculationGrid& grid);
 JsonValue json_of(const CalculationPoint& point);
 JsonValue json_of(const View& view);
+JsonValue json_of(const ColourScale& scale);
 
 JsonValue json_of(double number);
 JsonValue json_of(int number);

@@ -318,7 +318,9 @@ struct View {
 struct ColourScale {
     double low = 10.0, high = 1000.0;  ///< lx
     std::string steps = "log";         ///< log, linear, en (the steps of EN 12464-1)
-    bool marks_clipped = false;        ///< what lies outside the range is shown in colours of its own
+    bool marks_clipped = false;        ///< what lies outside the range is shown hatched
+    std::vector<double> isolux{};      ///< lx, rising: the lines of equal illuminance; none: the steps of the scale
+    UnknownFields unknown{};
     bool operator==(const ColourScale&) const = default;
 };
 

@@ -24,7 +24,31 @@ void Job::start(SceneSnapshot scene, const Settings& settings, const StudyReques
 void Job::cancel() {
     const std::scoped_lock lock(guard_);
     waiting_.reset();
+    question_.reset();
     running_.request_stop();
+}
+
+void Job::ask(Question question) {
+    {
+        const std::scoped_lock lock(guard_);
+        question_ = std::move(question);
+        if (!is_running_) running_.request_stop();  // the question before
+    }
+    arrived_.notify_one();
+}
+
+std::shared_ptr<const Contributions> Job::take_contributions() {
+    const std::scoped_lock lock(guard_);
+    return std::exchange(contributions_, nullptr);
+}
+
+void Job::answer(Study& study, const Question& question, const std::stop_token& stop) {
+    auto made = study.contributions(question.solution, question.position, question.normal, Work{1, stop, nullptr});
+    if (!made) return;
+    // what was asked about, although it may have been computed anew
+    made->solution = question.solution;
+    const std::scoped_lock lock(guard_);
+    contributions_ = std::make_shared<const Contributions>(std::move(*made));
 }
 
 SolutionSnapshot Job::take() {
@@ -53,21 +77,29 @@ void Job::post(SolutionSnapshot solution) {
 void Job::serve(const std::stop_token& end) {
     Study study;
     while (true) {
-        Request request;
+        std::optional<Request> request;
+        std::optional<Question> question;
         Work work{.progress = &progress_};
         {
             std::unique_lock lock(guard_);
             is_running_ = false;
-            if (!arrived_.wait(lock, end, [&] { return waiting_.has_value(); })) return;
-            request = std::move(*waiting_);
-            waiting_.reset();
+            if (!arrived_.wait(lock, end, [&] { return waiting_.has_value() || question_.has_value(); })) return;
+            if (waiting_)
+                request = std::exchange(waiting_, std::nullopt);
+            else
+                question = std::exchange(question_, std::nullopt);
             running_ = std::stop_source();
-            is_running_ = true;
+            is_running_ = request.has_value();
             work.stop = running_.get_token();
         }
         try {
+            if (question) answer(study, *question, work.stop);
             const auto on_the_way = [this](SolutionSnapshot part) { post(std::move(part)); };
-            if (auto solution = study.run(request.scene, request.settings, request.wanted, work, on_the_way))
+            if (!request) {
+                wake_();
+                continue;
+            }
+            if (auto solution = study.run(request->scene, request->settings, request->wanted, work, on_the_way))
                 post(std::move(solution));
         } catch (const std::exception& failure) {
             const std::scoped_lock lock(guard_);

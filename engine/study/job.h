@@ -26,6 +26,16 @@ public:
     bool busy() const;        ///< something runs or waits
     const Progress& progress() const { return progress_; }
 
+    /// A place whose light is to be divided by where it came from.
+    struct Question {
+        SolutionSnapshot solution;
+        Vec3 position{0.0};
+        Vec3 normal{0.0, 0.0, 1.0};  ///< unit
+    };
+    /// Worked on when no study waits; the newest question wins, and a study that is started ends it.
+    void ask(Question question);
+    std::shared_ptr<const Contributions> take_contributions();  ///< once a frame; null when there are none new
+
     /// What went wrong on the machine (memory) in the last study; empty when nothing did.
     std::string take_failure();
 
@@ -37,6 +47,7 @@ private:
     };
 
     void serve(const std::stop_token& end);
+    void answer(Study& study, const Question& question, const std::stop_token& stop);
     void post(SolutionSnapshot solution);
 
     Progress progress_;
@@ -44,6 +55,8 @@ private:
     mutable std::mutex guard_;  ///< of everything below
     std::condition_variable_any arrived_;
     std::optional<Request> waiting_;
+    std::optional<Question> question_;
+    std::shared_ptr<const Contributions> contributions_;
     std::stop_source running_;
     bool is_running_ = false;
     SolutionSnapshot finished_;

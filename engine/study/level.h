@@ -71,6 +71,18 @@ public:
     std::vector<double> node_values(std::span<const double> at_unknowns) const;
     std::vector<double> vertex_values(std::span<const double> at_unknowns) const;
 
+    /// Rows from the nodes to other places, made for once.
+    /// Needs     a solve() before. Empty when stopped.
+    std::optional<StoredRows> rows_to(std::span<const Receiver> receivers, const LevelInput& input,
+                                      const Work& work) const;
+
+    /// The exitance of a part of the last answer, reflection by reflection, at the nodes that light is
+    /// gathered from: what the part emits or what of its direct light is reflected, then what of that is
+    /// reflected again, and so on. All of them together are the part's exitance.
+    /// Returns   empty when stopped.
+    std::optional<std::vector<std::vector<double>>> reflections(const LightPart& part, const Scene& scene,
+                                                                std::size_t count, const Work& work) const;
+
     const Cut& now() const { return cut_; }
 
 private:

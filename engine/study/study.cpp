@@ -3,6 +3,7 @@
 #include "engine/base/tiles.h"
 #include "engine/geometry/polygon.h"
 #include "engine/scene/faces.h"
+#include "engine/study/contribution_stage.h"
 #include "engine/study/display_stage.h"
 #include "engine/study/finer_mesh.h"
 #include "engine/study/first_picture.h"
@@ -134,6 +135,8 @@ struct Study::Stages {
     };
     Taken taken[2];  ///< by the last full answer; [1]: while the scene was dragged
     ShadowStage shadow_stage;
+    SolutionSnapshot given;             ///< the last complete one
+    std::optional<LevelAnswer> solved;  ///< what it was made from
 
     struct Run {
         SceneSnapshot scene;
@@ -446,7 +449,28 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
     run.solution->complete = true;
     run.clock.enter(Stage::done);
     take_times(*run.solution, run.clock.finish());
+    stages_->given = run.solution;
+    stages_->solved = std::move(answer);
     return run.solution;
+}
+
+std::optional<Contributions> Study::contributions(SolutionSnapshot solution, const Vec3& position, const Vec3& normal,
+                                                  const Work& work) {
+    if (stages_->given != solution) {
+        solution = run(solution->scene, solution->settings, {}, Work{work.threads, work.stop, nullptr});
+        if (!solution) return std::nullopt;
+    }
+    const auto if_simulated = [&](Effect effect) {
+        return solution->plan.simulates(effect) ? solution->occluders : nullptr;
+    };
+    LevelInput input;
+    input.scene = solution->scene.get();
+    input.settings = &solution->settings;
+    input.plan = &solution->plan;
+    input.occluders = if_simulated(Effect::occlusion_direct);
+    input.patch_occluders = if_simulated(Effect::occlusion_patches);
+    return contributions_at(solution, *stages_->newest, *stages_->solved, input, {position, glm::normalize(normal)},
+                            work);
 }
 
 }  // namespace hanei

@@ -69,6 +69,15 @@ enum class CommandId {
     larger,
     smaller,
     usual_size,
+    toggle_values,
+    pin_here,
+    explain,
+    keep_a,
+    keep_b,
+    show_a,
+    show_difference,
+    draw_profile,
+    show_histogram,
     show_keys,
     show_about,
 };
@@ -90,6 +99,7 @@ std::span<const Command> edit_menu();
 std::span<const Command> add_menu();
 std::span<const Command> view_menu();
 std::span<const Command> look_menu();  ///< the end of the View menu
+std::span<const Command> results_menu();
 std::span<const Command> help_menu();
 
 /// In the order of the menus.

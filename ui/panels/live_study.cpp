@@ -143,4 +143,15 @@ std::string_view name_of(Stage stage) {
     return {};
 }
 
+std::shared_ptr<const Contributions> LiveStudy::contributions(const Vec3& position, const Vec3& normal) {
+    if (auto made = job_.take_contributions()) contributions_ = std::move(made);
+    const bool asked = asked_.solution == answer_ && asked_.position == position && asked_.normal == normal;
+    if (answer_ && fresh() && !asked) {
+        asked_ = {answer_, position, normal};
+        job_.ask(asked_);
+    }
+    const bool of_it = contributions_ && contributions_->position == position && contributions_->normal == normal;
+    return of_it ? contributions_ : nullptr;
+}
+
 }  // namespace hanei

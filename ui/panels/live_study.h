@@ -36,6 +36,10 @@ public:
     bool is_cancellable() const;  ///< it runs for so long that someone may want to stop it
     bool is_cancelled() const { return cancelled_; }
 
+    /// Asks where the light at a place comes from, once there is a complete answer to the present wish;
+    /// once a frame while it is wanted. Returns the last that is known of it, or null.
+    std::shared_ptr<const Contributions> contributions(const Vec3& position, const Vec3& normal);
+
     const SolutionSnapshot& solution() const { return solution_; }  ///< null before the first
     const SolutionSnapshot& answer() const { return answer_; }      ///< the last complete one; null before the first
     bool fresh() const;  ///< the solution is complete and answers the present wish
@@ -69,6 +73,8 @@ private:
     bool is_patient() const;
 
     Job job_;
+    std::shared_ptr<const Contributions> contributions_;
+    Job::Question asked_;  ///< last
     Wish wish_;
     bool pending_ = false;  ///< the wish was not handed to the job yet
     bool started_ = false;

@@ -168,8 +168,7 @@ void Workbench::do_view(CommandId id) {
             view.photometric_body = !view.photometric_body;
             return;
         case CommandId::fit_range:
-            view.options.range = suggested_range(*study_.solution());
-            return;
+            return fit_scale();
         default:
             return;
     }

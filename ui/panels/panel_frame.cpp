@@ -51,10 +51,11 @@ void headline(std::string_view text, std::string_view quiet) {
     ImGui::Dummy({0.0F, 2.0F * style::scale()});
 }
 
-bool begin_tab(const char* label, WidgetRegistry& widgets, std::size_t count) {
+bool begin_tab(const char* label, WidgetRegistry& widgets, std::size_t count, bool to_front) {
     const std::string shown =
         count == 0 ? fmt::format("{}###{}", tr(label), label) : fmt::format("{}  {}###{}", tr(label), count, label);
-    const bool open = ImGui::BeginTabItem(shown.c_str());
+    const bool open =
+        ImGui::BeginTabItem(shown.c_str(), nullptr, to_front ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
     widgets.note(fmt::format("tab.{}", label));
     return open;
 }

@@ -22,7 +22,8 @@ void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, flo
 /// A title in strong letters with a quiet word behind it.
 void headline(std::string_view text, std::string_view quiet);
 
-/// A tab of the open tab bar, noted as "tab.LABEL"; a count above 0 stands behind the label.
-bool begin_tab(const char* label, WidgetRegistry& widgets, std::size_t count = 0);
+/// A tab of the open tab bar, noted as "tab.LABEL"; a count above 0 stands behind the label. `to_front`: it
+/// is chosen in this frame.
+bool begin_tab(const char* label, WidgetRegistry& widgets, std::size_t count = 0, bool to_front = false);
 
 }  // namespace hanei

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/panels/language.h"
+#include "ui/view/illuminance_unit.h"
 
 #include <filesystem>
 #include <vector>
@@ -10,7 +11,6 @@ namespace hanei {
 
 enum class Theme { dark, light };
 enum class LengthUnit { metre, centimetre, millimetre, feet_inches };
-enum class IlluminanceUnit { lux, foot_candle };
 
 struct Preferences {
     Language language = Language::english;

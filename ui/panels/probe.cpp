@@ -3,6 +3,7 @@
 #include "engine/edit/edit.h"
 #include "engine/report/numbers.h"
 #include "engine/study/study.h"
+#include "ui/panels/illuminance_text.h"
 #include "ui/view/pick.h"
 
 #include <algorithm>
@@ -32,16 +33,16 @@ std::string causes(const ErrorBar& error) {
     std::string text;
     for (const auto& [lux, cause] : parts)
         if (lux > matters * error.total())
-            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", cause, short_figure(lux));
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", cause, illuminance_figure(lux));
     return text;
 }
 
 std::string Probe::text() const {
     if (value.inside_solid) return "inside · " + surface;
     const std::string split = causes(value.error);
-    return fmt::format("{} lx ± {}{} · direct {} · interreflected {} · {}", short_figure(value.total().value),
-                       short_figure(value.error.total()), split.empty() ? "" : " (" + split + ")",
-                       short_figure(value.direct.value), short_figure(value.interreflected.value), surface);
+    return fmt::format("{} ± {}{} · direct {} · interreflected {} · {}", illuminance_text(value.total().value),
+                       illuminance_figure(value.error.total()), split.empty() ? "" : " (" + split + ")",
+                       illuminance_figure(value.direct.value), illuminance_figure(value.interreflected.value), surface);
 }
 
 std::string surface_name(const Scene& scene, const SurfaceRef& surface) {
@@ -55,7 +56,8 @@ std::optional<Probe> probe_at(const Solution& solution, const Ray& ray) {
     if (!solution.mesh || !solution.display) return std::nullopt;
     const std::optional<SurfaceHit> met = hit(solution, ray);
     if (!met) return std::nullopt;
-    return Probe{met->place, value_at(solution, met->place, met->normal), surface_name(*solution.scene, met->surface)};
+    return Probe{met->place, value_at(solution, met->place, met->normal), surface_name(*solution.scene, met->surface),
+                 met->normal};
 }
 
 }  // namespace hanei

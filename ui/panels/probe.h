@@ -13,6 +13,7 @@ struct Probe {
     Vec3 position{0.0};
     PointValue value;
     std::string surface;  ///< "Floor", "Desk 3"
+    Vec3 normal{0.0, 0.0, 1.0};
 
     std::string text() const;  ///< "412 lx ± 3 (iteration 1, mesh 2) · direct 300 · interreflected 112 · Floor"
 };

@@ -2,6 +2,8 @@
 
 #include "engine/edit/edit.h"
 #include "ui/panels/form.h"
+#include "ui/panels/illuminance_text.h"
+#include "ui/panels/language.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/probe.h"
 #include "ui/panels/style.h"
@@ -27,6 +29,13 @@ void to_right(const char* text) {
     if (room > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
 }
 
+/// A title that ends in the unit ends in the one that is shown.
+std::string in_shown_unit(const char* title) {
+    std::string shown = tr(title);
+    if (shown.ends_with("lx")) shown.replace(shown.size() - 2, 2, illuminance_unit_name());
+    return shown;
+}
+
 void header(std::span<const Column> columns) {
     for (const Column& column : columns) {
         ImGui::TableSetupColumn(column.title, ImGuiTableColumnFlags_WidthStretch, column.share);
@@ -36,8 +45,9 @@ void header(std::span<const Column> columns) {
     for (int k = 0; k < static_cast<int>(columns.size()); ++k) {
         ImGui::TableSetColumnIndex(k);
         ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
-        if (columns[static_cast<std::size_t>(k)].figures) to_right(columns[static_cast<std::size_t>(k)].title);
-        ImGui::TextUnformatted(columns[static_cast<std::size_t>(k)].title);
+        const std::string title = in_shown_unit(columns[static_cast<std::size_t>(k)].title);
+        if (columns[static_cast<std::size_t>(k)].figures) to_right(title.c_str());
+        ImGui::TextUnformatted(title.c_str());
         ImGui::PopStyleColor();
         tooltip(columns[static_cast<std::size_t>(k)].help);
     }
@@ -104,20 +114,20 @@ std::optional<ObjectId> results_table(const Solution& solution, ObjectId selecte
         if (name_cell(display_name(*solution.scene, grid.grid), grid.grid, selected, widgets)) clicked = grid.grid;
         double direct = 0.0;
         for (const PointResult& point : grid.points) direct += point.value.direct.value;
-        figure(short_figure(figures.mean));
-        figure(short_figure(figures.min));
-        figure(short_figure(figures.max));
+        figure(illuminance_figure(figures.mean));
+        figure(illuminance_figure(figures.min));
+        figure(illuminance_figure(figures.max));
         figure(fmt::format("{:.2f}", figures.uniformity));
-        figure(figures.points > 0 ? short_figure(direct / figures.points) : "–");
-        figure(short_figure(figures.largest_error));
+        figure(figures.points > 0 ? illuminance_figure(direct / figures.points) : "–");
+        figure(illuminance_figure(figures.largest_error));
     }
     for (const PointResult& point : solution.points) {
         if (name_cell(display_name(*solution.scene, point.point), point.point, selected, widgets))
             clicked = point.point;
-        figure(point.value.inside_solid ? "inside" : short_figure(point.value.total().value));
+        figure(point.value.inside_solid ? "inside" : illuminance_figure(point.value.total().value));
         for (int k = 0; k < 3; ++k) figure("");
-        figure(short_figure(point.value.direct.value));
-        figure(short_figure(point.value.error.total()));
+        figure(illuminance_figure(point.value.direct.value));
+        figure(illuminance_figure(point.value.error.total()));
     }
     ImGui::EndTable();
     return clicked;
@@ -137,7 +147,7 @@ void effects_table(const EffectsPlan& plan, bool measured) {
         ImGui::TableNextRow();
         cell(std::string(name_of(row.effect)));
         cell(std::string(name_of(row.state)), colour_of(row.state));
-        cell(row.state == EffectState::skipped ? short_figure(row.bound_lux) : "–");
+        cell(row.state == EffectState::skipped ? illuminance_figure(row.bound_lux) : "–");
         const bool ran = row.measured_ms >= 0.0;
         cell(!measured ? "–" : ran ? milliseconds(row.measured_ms) : "≈ " + milliseconds(row.predicted_ms));
         ImGui::TableNextColumn();
@@ -163,7 +173,8 @@ void energy_table(const Solution& solution, bool measured) {
     fact("Unaccounted", fmt::format("{:.2g}", energy.imbalance()), "lm", "What patches and rounding leave over");
     fact("Patches", solution.mesh ? std::to_string(solution.mesh->patches.size()) : "–", "", "");
     fact("Interreflections", std::to_string(solution.bounces), "", "Bounces until the accuracy was reached");
-    fact("Iteration error at most", short_figure(solution.iteration_bound), "lx", "A bound, at any patch");
+    fact("Iteration error at most", illuminance_figure(solution.iteration_bound), illuminance_unit_name(),
+         "A bound, at any patch");
     for (const StageTime& stage : solution.times) {
         if (!measured) break;
         fact(std::string(name_of(stage.stage)).c_str(), fmt::format("{:.1f}", stage.ms),

@@ -47,6 +47,17 @@ void note_photometry(const Workbench& workbench, std::map<std::string, std::stri
 
 const char* truth(bool value) { return value ? "true" : "false"; }
 
+void note_readings(const Readings& readings, std::map<std::string, std::string>& state) {
+    if (const auto& made = readings.why.contributions()) {
+        state["why total"] = fmt::format("{}", made->value.total().value);
+        if (!made->luminaires.empty()) state["why first luminaire"] = rows_by_luminaire(*made).front().name;
+    }
+    state["kept states"] = std::to_string(readings.snapshots.list().size());
+    state["shows"] = readings.snapshots.shows_difference() ? "difference"
+                     : readings.snapshots.shows_kept()     ? "kept"
+                                                           : "now";
+}
+
 }  // namespace
 
 std::map<std::string, std::string> state_of(const Workbench& workbench) {
@@ -79,6 +90,9 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     state["range.low"] = fmt::format("{}", workbench.viewport().state.options.range.low);
     state["range.high"] = fmt::format("{}", workbench.viewport().state.options.range.high);
     state["probe"] = workbench.viewport().probe() ? workbench.viewport().probe()->text() : "";
+    state["scale kept"] = truth(scene.colour_scale.has_value());
+    state["scale steps"] = std::string(name_of(workbench.viewport().state.options.steps));
+    note_readings(workbench.readings(), state);
     state["luminaires"] = std::to_string(scene.luminaires.size());
     state["furniture"] = std::to_string(scene.furniture.size());
     state["selected count"] = std::to_string(workbench.selection().ids().size());

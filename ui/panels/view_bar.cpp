@@ -72,7 +72,7 @@ void scale_menu(ViewState& state, const SolutionSnapshot& solution, WidgetRegist
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Fit to the values", "R", false, solution != nullptr)) {
-        state.options.range = suggested_range(*solution);
+        state.fit_asked = true;
     }
     widgets.note("scale.fit");
     ImGui::MenuItem("Isolux lines", "I", &state.options.isolux);

@@ -11,8 +11,9 @@ void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solu
 /// Pixels that the scale takes at the right of the view.
 float legend_margin();
 
-/// The colour scale with its range, in the top right corner of the given rectangle. Nothing for photos.
-void legend(ViewState& state, const ScreenRect& view, WidgetRegistry& widgets);
+/// The colour scale in the top right corner of the given rectangle, to be changed there. Nothing for photos.
+/// `of_project`: it is kept with the project.
+void legend(ViewState& state, bool of_project, const ScreenRect& view, WidgetRegistry& widgets);
 
 /// The key to the shadow classes in its place, with whose shadows they are and how much each holds.
 void class_legend(const ViewOptions& look, const SolutionSnapshot& solution, const ScreenRect& view,

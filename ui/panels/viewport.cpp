@@ -35,17 +35,25 @@ ViewOptions Viewport::options_of(const Input& input, int k) const {
     ViewOptions look = state.options;
     look.dark_background = style::theme() == Theme::dark;
     look.part = state.panes.part(k, look.part);
+    if (input.difference) look = as_difference(std::move(look), *input.difference);
     look.shadow_classes &= !state.panes.shows_parts();
     const ObjectKind kind = kind_of(*input.scene, input.selection.primary());
     look.shadows_of = kind == ObjectKind::luminaire ? input.selection.primary() : ObjectId{};
-    look.grids |= kind == ObjectKind::grid || kind == ObjectKind::point;
+    look.grids |= (kind == ObjectKind::grid || kind == ObjectKind::point) && !input.difference;
     return look;
 }
 
 void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
     for (int k = 0; k < state.panes.count(); ++k) {
         const Pane& pane = state.panes.pane(k);
-        ViewRequest request{k, input.scene, input.solution, pane.camera, options_of(input, k), {}, {}, moving()};
+        ViewRequest request{k,
+                            input.painted ? input.painted : input.scene,
+                            input.solution,
+                            pane.camera,
+                            options_of(input, k),
+                            {},
+                            {},
+                            moving()};
         request.size = {static_cast<int>(pane.width), static_cast<int>(pane.height)};
         request.highlights.selected = objects_of(*input.scene, input.selection.ids());
         request.highlights.hovered = hovered_;

@@ -23,7 +23,10 @@ struct ViewState {
     ViewOptions options;  ///< of all pictures, the part of the light of the active one
     PaneSet panes;
     bool photometric_body = false;  ///< of the chosen luminaire, as wire
-    bool range_fitted = false;      ///< the colour range was set by the user or from a solution
+    bool fit_asked = false;                     ///< of the scale, to the values
+    bool keep_asked = false;                    ///< of the scale, with the project
+    bool automatic_asked = false;               ///< of the scale: no longer kept with the project
+    std::optional<std::string> levels_typed{};  ///< isolux levels that are being typed
 
     PaneSet::Present present() { return {camera, options.part}; }
     void choose(PaneLayout layout, const Scene& scene) { panes.choose(layout, present(), bounds_of(scene)); }
@@ -48,6 +51,8 @@ public:
         double raster = 0.1;  ///< m; 0 is none
         bool stale = false;
         std::span<ViewOverlay* const> overlays{};
+        SceneSnapshot painted{};             ///< drawn in place of `scene`, which is still what is edited
+        std::optional<double> difference{};  ///< lx: the solution is a difference, coloured from - to + this
     };
     struct Outcome {
         std::optional<Selection> chosen;  ///< by a click or a tool

@@ -9,11 +9,10 @@ namespace hanei {
 
 Workbench::Workbench(ProjectContent content, std::filesystem::path file, ProjectDoor door, std::function<void()> wake,
                      Options how)
-    : how_(how),
-      door_(std::move(door)),
-      document_(std::move(content), std::move(file)),
-      study_(wake),
-      exact_(std::move(wake)) {
+    : how_(how), door_(std::move(door)), document_(std::move(content), std::move(file)), study_(wake), exact_(wake) {
+    readings_.wake = std::move(wake);
+    viewport_.state.options.pins = true;
+    overlays_ = {&readings_.labels, &readings_.why, &readings_.snapshots, &readings_.profile};
     viewport_.state.options.grids = false;  // dots over every surface; shown with a chosen grid, or by N
 }
 
@@ -52,11 +51,7 @@ void Workbench::follow_study() {
     const bool unshadowed = viewport_.state.panes.shows(LightPart::unshadowed, viewport_.state.options.part);
     const bool shadows = viewport_.state.options.shadow_classes || viewport_.state.options.shadow_outlines;
     study_.follow({document_.shown(), document_.settings(), unshadowed, document_.in_gesture(), shadows});
-    ViewState& view = viewport_.state;
-    if (!view.range_fitted && study_.solution() && study_.solution()->complete) {
-        view.options.range = suggested_range(*study_.solution());
-        view.range_fitted = true;
-    }
+    follow_scale();
 }
 
 void Workbench::draw(const ViewPainter& paint) {
@@ -66,6 +61,7 @@ void Workbench::draw(const ViewPainter& paint) {
     read_keys();
     selection_.keep_existing(*document_.shown());
     follow_study();
+    follow_readings();
     menu_bar();
 
     const float scale = style::scale();

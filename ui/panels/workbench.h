@@ -12,6 +12,7 @@
 #include "ui/panels/object_tree.h"
 #include "ui/panels/photometry_panel.h"
 #include "ui/panels/preferences.h"
+#include "ui/panels/readings.h"
 #include "ui/panels/selection.h"
 #include "ui/panels/viewport.h"
 
@@ -53,6 +54,7 @@ public:
     const Dialogs& dialogs() const { return dialogs_; }
     const FileBrowser& browser() const { return browser_; }
     const PhotometryPanel& photometry() const { return photometry_; }
+    const Readings& readings() const { return readings_; }
     const Preferences& preferences() const { return preferences_; }
     const std::string& message() const { return message_; }
     bool is_snapping() const { return snaps_; }
@@ -67,16 +69,28 @@ private:
     bool can_add(CommandId id) const;
     bool can_view(CommandId id) const;
     bool can_look(CommandId id) const;
+    bool can_results(CommandId id) const;
     bool can_help(CommandId id) const;
     void do_file(CommandId id);
     void do_edit(CommandId id);
     void do_add(CommandId id);
     void do_view(CommandId id);
     void do_look(CommandId id);
+    void do_results(CommandId id);
     void do_help(CommandId id);
 
     void read_keys();
     void follow_study();
+    void follow_scale();
+    void fit_scale();
+    void take_scale_wishes();
+    void follow_readings();
+    void readings_tabs();
+    void pin_at_double_click();
+    bool is_flipped() const;  ///< the key for it is held
+    void keep_state(bool as_a);
+    void compare_tab();
+    void profile_tab();
     void settle();
     void propose(Scene scene, std::string step);
     void add(Added added, const char* step);
@@ -143,6 +157,7 @@ private:
     std::filesystem::path picture_;  ///< to be written after this frame
     long frames_ = 0;
     Preferences preferences_;
+    Readings readings_{viewport_.state};
 };
 
 }  // namespace hanei

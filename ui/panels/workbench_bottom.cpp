@@ -22,6 +22,7 @@ void Workbench::bottom(const ScreenRect& area) {
                 selection_.choose(*clicked);
             ImGui::EndTabItem();
         }
+        readings_tabs();
         if (begin_tab("Effects", widgets_)) {
             if (solution) effects_table(solution->plan, measured);
             ImGui::EndTabItem();

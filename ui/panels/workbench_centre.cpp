@@ -19,14 +19,28 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);
     begin_panel("##view", view, false);
     viewport_.right_margin = legend_margin();
-    const Viewport::Input input{document_.shown(), study_.solution(), study_.answer(), selection_,
-                                raster(),          !study_.fresh(),   overlays_};
+    const SolutionSnapshot kept = readings_.snapshots.follow(study_.answer(), is_flipped());
+    Viewport::Input input{document_.shown(),
+                          kept ? kept : study_.solution(),
+                          kept ? kept : study_.answer(),
+                          selection_,
+                          raster(),
+                          !kept && !study_.fresh(),
+                          overlays_};
+    if (kept) input.painted = kept->scene;
+    if (readings_.snapshots.shows_difference())
+        input.difference = readings_.snapshots.range_of(viewport_.state.options.part);
+    readings_.labels.difference = input.difference;
     const Viewport::Outcome outcome = viewport_.draw(input, paint, widgets_);
     if (viewport_.shown_options(input).shadow_classes)
         class_legend(viewport_.shown_options(input), study_.solution(), view, widgets_);
+    else if (input.difference)
+        difference_legend(readings_.snapshots, viewport_.state.options.part, view, widgets_);
     else
-        legend(viewport_.state, view, widgets_);
+        legend(viewport_.state, document_.shown()->colour_scale.has_value(), view, widgets_);
     end_panel();
+    take_scale_wishes();
+    pin_at_double_click();
     ImGui::PopStyleColor();
     if (outcome.chosen) selection_ = *outcome.chosen;
     if (outcome.moved) {

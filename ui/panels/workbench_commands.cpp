@@ -21,6 +21,7 @@ const Workbench::Menu& Workbench::menu_of(CommandId id) {
         Menu{add_menu(), &Workbench::can_add, &Workbench::do_add},
         Menu{view_menu(), &Workbench::can_view, &Workbench::do_view},
         Menu{look_menu(), &Workbench::can_look, &Workbench::do_look},
+        Menu{results_menu(), &Workbench::can_results, &Workbench::do_results},
         Menu{help_menu(), &Workbench::can_help, &Workbench::do_help},
     };
     const auto found = std::find_if(menus.begin(), menus.end(), [&](const Menu& menu) {

@@ -37,7 +37,10 @@ void Workbench::load(const std::filesystem::path& file) {
     if (!opened.content) return;
     document_ = Document(std::move(*opened.content), file);
     selection_.clear();
-    viewport_.state.range_fitted = false;
+    readings_.scale.forget();
+    readings_.why.forget();
+    readings_.snapshots.forget();
+    readings_.profile.forget();
     shows_overview_ = true;
     message_ = "Opened " + file.filename().string();
 }

@@ -144,9 +144,22 @@ void CellLayer::set_scale(const ViewOptions& look) const {
     const std::vector<float> borders = shader_array(band_borders(range));
     program_.set("border_count", static_cast<int>(borders.size()));
     program_.set("borders", borders);
-    const std::vector<float> lines = look.isolux ? shader_array(standard_steps(range)) : std::vector<float>{};
+    const std::vector<float> lines = look.isolux ? shader_array(isolux_levels(look)) : std::vector<float>{};
     program_.set("line_count", static_cast<int>(lines.size()));
     program_.set("lines", lines);
+}
+
+void CellLayer::set_difference(const ViewOptions& look) const {
+    const DifferenceColours& of = difference_colours;
+    program_.set("difference", look.difference ? 1 : 0);
+    program_.set("of_difference[0]", of.much_less);
+    program_.set("of_difference[1]", of.less);
+    program_.set("of_difference[2]", of.none);
+    program_.set("of_difference[3]", of.more);
+    program_.set("of_difference[4]", of.much_more);
+    program_.set("of_difference[5]", of.nothing);
+    program_.set("shade_of_stripe", shade_of_stripe);
+    program_.set("least_striped", static_cast<float>(least_striped_share));
 }
 
 void CellLayer::draw(const Pass& pass, const ViewOptions& look) {
@@ -155,10 +168,15 @@ void CellLayer::draw(const Pass& pass, const ViewOptions& look) {
     program_.set("to_clip", pass.to_clip);
     if (look.scale == Scale::photo && !automatic_exposure_) automatic_exposure_ = automatic_exposure(*solution_);
     program_.set("photo", look.scale == Scale::photo ? 1 : 0);
+    set_difference(look);
     program_.set("coloured_light", solution_->display->tinted.empty() ? 0 : 1);
     program_.set("exposure", static_cast<float>(automatic_exposure_.value_or(1.0) * std::exp2(look.exposure)));
     program_.set("colour_below", colour_below);
     program_.set("colour_above", colour_above);
+    program_.set("marks_clipped", look.marks_clipped ? 1 : 0);
+    program_.set("stripe_below", stripe_below);
+    program_.set("stripe_above", stripe_above);
+    program_.set("stripes", pass.pixel_scale * glm::vec2(stripe_distance, stripe_width));
     program_.set("line_width", isolux_width * pass.pixel_scale);
     set_scale(look);
     glActiveTexture(GL_TEXTURE0);

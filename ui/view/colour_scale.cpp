@@ -1,5 +1,8 @@
 #include "ui/view/colour_scale.h"
 
+#include "ui/view/difference.h"
+
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -98,6 +101,7 @@ std::vector<double> band_borders(const LuxRange& range) {
 }
 
 double scale_position(double lux, const ViewOptions& look) {
+    if (look.difference) return 0.5 + 0.5 * lux / look.range.high;
     if (look.steps == ColourSteps::logarithmic) return logarithmic_position(lux, look.range);
     if (look.steps == ColourSteps::linear) return linear_position(lux, look.range);
     const std::vector<double> borders = band_borders(look.range);
@@ -109,6 +113,7 @@ double scale_position(double lux, const ViewOptions& look) {
 }
 
 double legend_position(double lux, const ViewOptions& look) {
+    if (look.difference) return scale_position(lux, look);
     if (look.steps != ColourSteps::standard_steps) return scale_position(lux, look);
     const std::vector<double> borders = band_borders(look.range);
     const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, lux);
@@ -118,6 +123,7 @@ double legend_position(double lux, const ViewOptions& look) {
 
 double lux_at(double position, const ViewOptions& look) {
     const LuxRange& range = look.range;
+    if (look.difference) return (2.0 * position - 1.0) * range.high;
     if (look.steps == ColourSteps::linear) return range.low + position * (range.high - range.low);
     if (look.steps == ColourSteps::logarithmic) {
         const double low = std::max(range.low, 1e-6 * range.high);
@@ -129,7 +135,20 @@ double lux_at(double position, const ViewOptions& look) {
     return borders[band] + (height - static_cast<double>(band)) * (borders[band + 1] - borders[band]);
 }
 
+namespace {
+
+glm::vec3 difference_colour(double share) {
+    const DifferenceColours& of = difference_colours;
+    const auto half = static_cast<float>(2.0 * std::min(std::abs(share), 1.0));
+    const glm::vec3 middle = share < 0.0 ? of.less : of.more, end = share < 0.0 ? of.much_less : of.much_more;
+    return half < 1.0F ? glm::mix(of.none, middle, half) : glm::mix(middle, end, half - 1.0F);
+}
+
+}  // namespace
+
 glm::vec3 colour_of(double lux, const ViewOptions& look) {
+    if (look.difference)
+        return has_counterpart(lux) ? difference_colour(lux / look.range.high) : difference_colours.nothing;
     const double position = scale_position(lux, look);
     if (!(position >= 0.0)) return colour_below;
     if (position > 1.0) return colour_above;
@@ -138,6 +157,27 @@ glm::vec3 colour_of(double lux, const ViewOptions& look) {
     const std::size_t first = std::min(static_cast<std::size_t>(entry), table.size() - 2);
     const float share = static_cast<float>(entry - static_cast<double>(first));
     return table[first] * (1.0F - share) + table[first + 1] * share;
+}
+
+bool is_striped(bool above, double x, double y, double pixel_scale) {
+    const auto stripe = [&](double across) {
+        const double period = stripe_distance * pixel_scale;
+        return across - period * std::floor(across / period) < stripe_width * pixel_scale;
+    };
+    constexpr double diagonal = 0.7071067811865476;
+    return stripe(diagonal * (x + y)) || (above && stripe(diagonal * (x - y)));
+}
+
+glm::vec3 colour_of(double lux, const ViewOptions& look, double x, double y, double pixel_scale) {
+    if (look.difference) {
+        const bool striped = lux < -least_striped_share * look.range.high && is_striped(false, x, y, pixel_scale);
+        return (striped ? shade_of_stripe : 1.0F) * colour_of(lux, look);
+    }
+    if (!look.marks_clipped) return colour_of(lux, look);
+    const double position = scale_position(lux, look);
+    const bool above = position > 1.0;
+    if ((position >= 0.0 && !above) || !is_striped(above, x, y, pixel_scale)) return colour_of(lux, look);
+    return above ? stripe_above : stripe_below;
 }
 
 }  // namespace hanei

@@ -50,7 +50,7 @@ public:
     Painter(const Solution& solution, const DirectLight& direct, const ExactRequest& request)
         : request_(request),
           solution_(solution),
-          tone_(solution, request.options),
+          tone_(solution, request.options, std::max(0.6, request.size.height / usual_height)),
           sight_(solution, request.camera, request.size.aspect()),
           light_(solution, direct, request.options.part),
           lines_(request.options, std::max(0.6, request.size.height / usual_height)),
@@ -126,7 +126,8 @@ std::vector<Painter::Shade> Painter::shaded(std::span<const Vec2> places) const 
             shade.lux = lux[k - begin];
             const DisplayCell& cell = solution_.display->cells[shade.seen->cell];
             const Vec3 bands = bands_at(*solution_.display, cell, shade.seen->at, shade.lux);
-            shade.colour = tone_.colour(shade.lux, bands, cell.patch);
+            const Vec2 pixel{places[met[k]].x * request_.size.width, (1.0 - places[met[k]].y) * request_.size.height};
+            shade.colour = tone_.colour(shade.lux, bands, cell.patch, pixel);
         }
     }
     return shades;

@@ -154,13 +154,15 @@ std::string lux_text(double lux) {
     return fmt::format("{:.2g}", lux);
 }
 
+std::string lux_text(double lux, IlluminanceUnit unit) { return lux_text(lux / lux_in(unit)); }
+
 std::vector<IsoluxLabel> isolux_labels(const Solution& solution, const Camera& camera, const ViewOptions& look,
                                        PixelSize size, double scale) {
     std::vector<IsoluxLabel> labels;
     const bool shown =
         look.isolux && look.scale == Scale::false_colour && !look.shadow_classes && has_part(solution, look.part);
     if (!shown || solution.mesh == nullptr || size.width < 2 || size.height < 2) return labels;
-    const std::vector<double> steps = standard_steps(look.range);
+    const std::vector<double> steps = isolux_levels(look);
     const double shrink = static_cast<double>(buffer_height) / size.height;
     const PixelSize small{std::max(2, static_cast<int>(std::lround(size.width * shrink))), buffer_height};
     const ValueBuffer buffer = value_buffer(solution, camera, look, small);
@@ -174,7 +176,7 @@ std::vector<IsoluxLabel> isolux_labels(const Solution& solution, const Camera& c
         const double lux = steps[static_cast<std::size_t>(piece.level)];
         Placed label;
         label.level = piece.level;
-        const double digits = static_cast<double>(lux_text(lux).size());
+        const double digits = static_cast<double>(lux_text(lux, look.unit).size());
         label.half_width =
             static_cast<int>(std::ceil(0.5 * scale * shrink * (digits * digit_width + 2.0 * text_margin)));
         label.half_height = static_cast<int>(std::ceil(0.5 * scale * shrink * (text_height + text_margin)));
@@ -183,7 +185,8 @@ std::vector<IsoluxLabel> isolux_labels(const Solution& solution, const Camera& c
             const Placed place = best_place(piece, crossings, placed, label, small.width);
             if (place.half_width == 0) break;
             placed.push_back(place);
-            labels.push_back({Vec2((place.x + 1.0) / small.width, (place.y + 1.0) / small.height), lux, lux_text(lux)});
+            labels.push_back(
+                {Vec2((place.x + 1.0) / small.width, (place.y + 1.0) / small.height), lux, lux_text(lux, look.unit)});
         }
     }
     return labels;

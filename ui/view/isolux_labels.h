@@ -27,5 +27,6 @@ std::vector<IsoluxLabel> isolux_labels(const Solution& solution, const Camera& c
 
 /// A figure in lux as scales and labels show it: 0.5, 75, 1500.
 std::string lux_text(double lux);
+std::string lux_text(double lux, IlluminanceUnit unit);  ///< its figure in that unit
 
 }  // namespace hanei

@@ -34,6 +34,7 @@ private:
     void load_values(LightPart part);
     void load_bands(LightPart part);
     void set_scale(const ViewOptions& look) const;
+    void set_difference(const ViewOptions& look) const;
     gl::Program program_;
     gl::Vertices cells_;
     GLuint colours_ = 0;

@@ -3,6 +3,7 @@
 #include "ui/view/isolux_labels.h"
 #include "ui/view/legend.h"
 #include "ui/view/offscreen.h"
+#include "ui/view/value_labels.h"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,23 @@ void letter_lines(Canvas& canvas, const Solution& solution, const PictureRequest
     for (const IsoluxLabel& label : isolux_labels(solution, request.camera, request.options, size, scale)) {
         canvas.text(x + label.at.x * size.width, y + label.at.y * size.height + 4.3 * scale, label.text, style,
                     Align::centre);
+    }
+}
+
+/// Figures of grids and points.
+void letter_values(Canvas& canvas, const Solution& solution, const PictureRequest& request, PixelSize size, int x,
+                   int y, double scale) {
+    constexpr glm::vec3 ground{0.985F, 0.985F, 0.98F}, line{0.13F, 0.14F, 0.16F};
+    for (const ValueLabel& label : value_labels(solution, request.camera, request.options, size, scale)) {
+        const Vec2 at(x + label.at.x * size.width, y + label.at.y * size.height);
+        const Vec2 of(x + label.place.x * size.width, y + label.place.y * size.height);
+        const Vec2 half = half_size(label, scale);
+        const bool marked = label.kind != ValueLabel::Kind::figure;
+        if (label.kind == ValueLabel::Kind::point) canvas.line(of.x, of.y, at.x, at.y, line, 0.8, 1.2 * scale);
+        canvas.rounded(at.x - half.x, at.y - half.y, 2.0 * half.x, 2.0 * half.y, 3.0 * scale, ground,
+                       marked ? 0.92 : 0.72);
+        const TextStyle style{11.5 * scale, marked, ink_colour, 0.0};
+        canvas.text(at.x, at.y + 4.2 * scale, label.text, style, Align::centre);
     }
 }
 
@@ -115,6 +133,7 @@ Image render_picture(SolutionSnapshot solution, const PictureRequest& request) {
     canvas.fill(paper);
     canvas.picture(room, 0, 0);
     letter_lines(canvas, *solution, request, view, 0, 0, page.scale);
+    letter_values(canvas, *solution, request, view, 0, 0, page.scale);
     letter_page(canvas, *solution, request, page);
     return canvas.image();
 }

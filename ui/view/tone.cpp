@@ -57,7 +57,8 @@ glm::vec3 photographed(const Vec3& luminance) {
     return glm::vec3(linear);
 }
 
-Tone::Tone(const Solution& solution, const ViewOptions& look) : options_(look), reflectance_(patch_colours(solution)) {
+Tone::Tone(const Solution& solution, const ViewOptions& look, double pixel_scale)
+    : options_(look), pixel_scale_(pixel_scale), reflectance_(patch_colours(solution)) {
     if (look.scale == Scale::photo) exposure_ = automatic_exposure(solution) * std::exp2(look.exposure);
     if (look.scale == Scale::photo || look.steps != ColourSteps::standard_steps) return;
     borders_ = band_borders(look.range);
@@ -65,17 +66,17 @@ Tone::Tone(const Solution& solution, const ViewOptions& look) : options_(look), 
         of_band_.push_back(linear_srgb(colour_of(0.5 * (borders_[k - 1] + borders_[k]), look)));
 }
 
-glm::vec3 Tone::colour(double lux, const Vec3& bands, std::uint32_t patch) const {
+glm::vec3 Tone::colour(double lux, const Vec3& bands, std::uint32_t patch, const Vec2& pixel) const {
     if (options_.scale == Scale::photo) return photographed(exposure_ * reflectance_[patch] * bands / std::numbers::pi);
     if (of_band_.empty() || !(lux >= borders_.front()) || lux > borders_.back())
-        return linear_srgb(colour_of(lux, options_));
+        return linear_srgb(colour_of(lux, options_, pixel.x, pixel.y, pixel_scale_));
     const auto above = std::upper_bound(borders_.begin() + 1, borders_.end() - 1, lux);
     return of_band_[static_cast<std::size_t>(above - borders_.begin() - 1)];
 }
 
 IsoluxLines::IsoluxLines(const ViewOptions& look, double pixel_scale)
     : options_(look), width_(isolux_width * pixel_scale) {
-    if (look.isolux && look.scale == Scale::false_colour) lines_ = standard_steps(look.range);
+    if (look.isolux && look.scale == Scale::false_colour) lines_ = isolux_levels(look);
 }
 
 IsoluxLines::Ink IsoluxLines::at(double lux, double steepness) const {

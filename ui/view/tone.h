@@ -24,13 +24,15 @@ glm::vec3 photographed(const Vec3& shown);
 /// Holds     what the scale needs, worked out once. Any thread may ask.
 class Tone {
 public:
-    Tone(const Solution& solution, const ViewOptions& options);
+    Tone(const Solution& solution, const ViewOptions& look, double pixel_scale = 1.0);
 
     /// Linear light of a place on a patch with this illuminance, in bands for photos (band_light.h).
-    glm::vec3 colour(double lux, const Vec3& bands, std::uint32_t patch) const;
+    /// `pixel`: where it shows, from the left and from the bottom; hatching lies on the picture.
+    glm::vec3 colour(double lux, const Vec3& bands, std::uint32_t patch, const Vec2& pixel = Vec2(0.0)) const;
 
 private:
     ViewOptions options_;
+    double pixel_scale_ = 1.0;
     std::vector<Vec3> reflectance_;  ///< one a patch, in three bands
     double exposure_ = 1.0;
     std::vector<double> borders_;     ///< lx, of bands

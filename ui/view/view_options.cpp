@@ -40,6 +40,19 @@ double step_above(double lux) {
     return step_at(decade + 1, 0);
 }
 
+/// Multiples of a round figure, some ten.
+std::vector<double> even_steps(const LuxRange& range) {
+    std::vector<double> steps;
+    const double span = range.high - range.low;
+    if (!(span > 0.0) || !std::isfinite(span)) return steps;
+    const double decade = std::pow(10.0, std::floor(std::log10(span / 5.0)));
+    const double step = span / decade > 25.0 ? 5.0 * decade : span / decade > 12.0 ? 2.0 * decade : decade;
+    const double last = std::floor(range.high / step + step_tolerance);
+    for (double k = std::max(1.0, std::ceil(range.low / step - step_tolerance)); k <= last; k += 1.0)
+        steps.push_back(k * step);
+    return steps;
+}
+
 struct Sample {
     double lux = 0.0;
     double area = 0.0;
@@ -145,6 +158,48 @@ std::vector<double> standard_steps(const LuxRange& range) {
         }
     }
     return steps;
+}
+
+std::vector<double> scale_steps(const ViewOptions& look) {
+    if (look.steps == ColourSteps::standard_steps) return standard_steps(look.range);
+    const double unit = lux_in(look.unit);
+    const LuxRange shown{look.range.low / unit, look.range.high / unit};
+    std::vector<double> steps = look.steps == ColourSteps::linear ? even_steps(shown) : standard_steps(shown);
+    for (double& step : steps) step *= unit;
+    return steps;
+}
+
+std::vector<double> isolux_levels(const ViewOptions& look) {
+    return look.isolux_levels.empty() ? scale_steps(look) : look.isolux_levels;
+}
+
+ViewOptions as_difference(ViewOptions look, double range) {
+    look.difference = true;
+    look.range = {-range, range};
+    look.scale = Scale::false_colour;
+    look.isolux = look.grids = look.shadow_classes = false;
+    return look;
+}
+
+void take_scale(ViewOptions& look, const ColourScale& scale) {
+    look.range = {scale.low, scale.high};
+    look.steps = scale.steps == "linear" ? ColourSteps::linear
+                 : scale.steps == "en"   ? ColourSteps::standard_steps
+                                         : ColourSteps::logarithmic;
+    look.marks_clipped = scale.marks_clipped;
+    look.isolux_levels = scale.isolux;
+}
+
+ColourScale scale_of(const ViewOptions& look) {
+    ColourScale scale;
+    scale.low = look.range.low;
+    scale.high = look.range.high;
+    scale.steps = look.steps == ColourSteps::linear           ? "linear"
+                  : look.steps == ColourSteps::standard_steps ? "en"
+                                                              : "log";
+    scale.marks_clipped = look.marks_clipped;
+    scale.isolux = look.isolux_levels;
+    return scale;
 }
 
 }  // namespace hanei

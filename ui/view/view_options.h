@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/solution/solution.h"
+#include "ui/view/illuminance_unit.h"
 
 #include <string>
 #include <string_view>
@@ -43,16 +44,37 @@ struct ViewOptions {
     bool mesh_lines = false;
     bool grids = true;  ///< calculation points
     bool luminaires = true;
-    bool dark_background = false;  ///< for a dark window; pictures for paper are light
-    bool shadow_classes = false;   ///< patches by how light reaches them, in place of the light
-    bool shadow_outlines = false;  ///< borders of umbra and penumbra, over any picture
-    ObjectId shadows_of;           ///< a luminaire; none: of all
-    double exposure = 0.0;         ///< photo: stops added to the automatic exposure
+    bool dark_background = false;                 ///< for a dark window; pictures for paper are light
+    bool shadow_classes = false;                  ///< patches by how light reaches them, in place of the light
+    bool shadow_outlines = false;                 ///< borders of umbra and penumbra, over any picture
+    ObjectId shadows_of;                          ///< a luminaire; none: of all
+    double exposure = 0.0;                        ///< photo: stops added to the automatic exposure
+    bool marks_clipped = false;                   ///< what lies outside the range is hatched
+    std::vector<double> isolux_levels{};          ///< lx, rising; none: the steps of the scale
+    IlluminanceUnit unit = IlluminanceUnit::lux;  ///< of every figure in the picture
+    bool values = false;                          ///< figures at the points of calculation grids
+    bool pins = false;                            ///< figures beside calculation points
+    ObjectId values_of;                           ///< a calculation grid whose figures come first
+    bool difference = false;  ///< the figures are differences (difference.h): -range.high to range.high
     bool operator==(const ViewOptions&) const = default;
 };
 
 /// Steps of the illuminance scale within the range, both ends included where they are steps
 /// (EN 12464-1: 20 30 50 75 100 150 ... lx, continued alike into other decades).
 std::vector<double> standard_steps(const LuxRange& range);
+
+/// The figures that a scale names, lx: round ones in the shown unit; for the steps of EN 12464-1 these.
+/// Linear scales have some ten at equal distances.
+std::vector<double> scale_steps(const ViewOptions& options);
+
+/// Lines of equal illuminance, lx: the user's own, else the steps of the scale.
+std::vector<double> isolux_levels(const ViewOptions& options);
+
+/// As differences from -range to +range are shown: in false colours, without lines and dots.
+ViewOptions as_difference(ViewOptions options, double range);
+
+/// What the project says of its scale, and back. Words that are no steps are taken for "log".
+void take_scale(ViewOptions& options, const ColourScale& scale);
+ColourScale scale_of(const ViewOptions& options);
 
 }  // namespace hanei

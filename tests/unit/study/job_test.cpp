@@ -72,6 +72,36 @@ TEST_F(JobTest, a_cancelled_study_delivers_nothing) {
     EXPECT_EQ(job_.take(), nullptr);
 }
 
+TEST_F(JobTest, a_question_about_a_place_is_answered_beside_the_studies) {
+    job_.start(office(), settings(), StudyRequest{});
+    const auto solution = wait_for_complete();
+    ASSERT_TRUE(solution);
+    job_.ask({solution, {1.0, 1.0, 0.0}, {0.0, 0.0, 1.0}});
+    std::shared_ptr<const Contributions> made;
+    while (!made) {
+        std::unique_lock lock(guard_);
+        ASSERT_TRUE(woken_.wait_for(lock, std::chrono::seconds(60), [&] { return wakes_ > 0; }));
+        wakes_ = 0;
+        lock.unlock();
+        made = job_.take_contributions();
+    }
+    EXPECT_EQ(made->solution, solution);
+    EXPECT_GT(made->value.total().value, 0.0);
+    EXPECT_EQ(job_.take_contributions(), nullptr);
+}
+
+TEST_F(JobTest, a_study_goes_before_a_question) {
+    job_.start(office(), settings(), StudyRequest{});
+    const auto solution = wait_for_complete();
+    ASSERT_TRUE(solution);
+    for (int k = 0; k < 5; ++k) job_.ask({solution, {1.0, 1.0, 0.1 * k}, {0.0, 0.0, 1.0}});
+    const auto scene = office();
+    job_.start(scene, settings(), StudyRequest{});
+    const auto next = wait_for_complete();
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->scene, scene);
+}
+
 TEST_F(JobTest, ending_the_program_does_not_wait_for_a_long_study) {
     Settings slow = settings();
     slow.max_patch = 0.04;

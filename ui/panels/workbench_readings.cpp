@@ -1,0 +1,78 @@
+#include "engine/report/profile_report.h"
+#include "ui/panels/panel_frame.h"
+#include "ui/panels/workbench.h"
+
+#include <fstream>
+#include <imgui.h>
+#include <utility>
+
+namespace hanei {
+
+void Workbench::follow_readings() { readings_.why.follow(*document_.shown(), selection_.primary(), study_); }
+
+/// Tabs of the bottom panel that read the light.
+void Workbench::readings_tabs() {
+    const std::string front = std::exchange(readings_.front_tab, {});
+    if (begin_tab("Why", widgets_, 0, front == "Why")) {
+        if (const auto clicked = readings_.why.table(*document_.shown(), widgets_)) selection_.choose(*clicked);
+        ImGui::EndTabItem();
+    }
+    if (begin_tab("Compare", widgets_, 0, front == "Compare")) {
+        compare_tab();
+        ImGui::EndTabItem();
+    }
+    readings_.profile.begin_frame();
+    if (begin_tab("Profile", widgets_, 0, front == "Profile")) {
+        profile_tab();
+        ImGui::EndTabItem();
+    }
+    if (begin_tab("Histogram", widgets_, 0, front == "Histogram")) {
+        readings_.histogram.table(study_.answer(), selection_.primary(), viewport_.state.options, widgets_);
+        ImGui::EndTabItem();
+    }
+}
+
+bool Workbench::is_flipped() const {
+    constexpr int grave_accent = 96;
+    return !ImGui::GetIO().WantTextInput && ImGui::IsKeyDown(grave_accent);
+}
+
+void Workbench::keep_state(bool as_a) {
+    const ColourScale scale = scale_of(viewport_.state.options);
+    Snapshots& snapshots = readings_.snapshots;
+    as_a ? snapshots.keep_as_a(study_.answer(), scale) : snapshots.keep_as_b(study_.answer(), scale);
+    message_ = as_a ? "Kept as A" : "Kept as B";
+    readings_.front_tab = "Compare";
+}
+
+void Workbench::compare_tab() {
+    const CompareWish wish = compare_panel(readings_.snapshots, study_.answer(), widgets_);
+    if (wish.keep_a && study_.answer()) keep_state(true);
+    if (wish.keep_b && study_.answer()) keep_state(false);
+    if (wish.chosen) selection_.choose(*wish.chosen);
+    if (!wish.use_scale) return;
+    Scene wished = *document_.shown();
+    wished.colour_scale = *wish.use_scale;
+    document_.settle();
+    document_.commit(std::move(wished), "Use the scale of a kept state");
+}
+
+void Workbench::profile_tab() {
+    const ProfilePanel::Outcome outcome = readings_.profile.table(study_.answer(), widgets_);
+    if (readings_.profile.is_busy() && readings_.wake) readings_.wake();
+    if (outcome.draws_line) do_results(CommandId::draw_profile);
+    if (!outcome.exports) return;
+    browser_.open({"Export the profile", "Export", {".csv"}, true, folder(), document_.title() + " profile.csv"},
+                  [this, csv = profile_csv(*readings_.profile.sampler())](const std::filesystem::path& file) {
+                      std::ofstream stream(file, std::ios::binary);
+                      stream << csv;
+                      stream.close();
+                      if (stream)
+                          message_ = "Exported " + file.filename().string();
+                      else
+                          dialogs_.show_findings("The profile was not written",
+                                                 {{Severity::error, {}, file.string() + ": cannot be written"}});
+                  });
+}
+
+}  // namespace hanei
