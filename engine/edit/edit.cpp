@@ -48,6 +48,8 @@ std::string_view name_of(ObjectKind kind) {
             return "arrangement";
         case ObjectKind::object_group:
             return "group";
+        case ObjectKind::sub_area:
+            return "part of a wall";
     }
     return {};
 }
@@ -77,6 +79,7 @@ ObjectId object_named(const Scene& scene, const std::string& name) {
     if (!found) found = search(scene.surfaces);
     if (!found) found = search(scene.views);
     if (!found) found = search(scene.materials);
+    if (!found && scene.room) found = search(scene.room->sub_areas);
     if (!found && scene.room && display_name(scene, scene.room->id) == name) found = scene.room->id;
     return found;
 }
@@ -106,6 +109,7 @@ void forget(Scene& scene, ObjectId id) {
 }  // namespace
 
 Scene removed(Scene scene, ObjectId id) {
+    if (scene.room) erase(scene.room->sub_areas, id);
     erase(scene.furniture, id);
     erase(scene.surfaces, id);
     erase(scene.luminaires, id);

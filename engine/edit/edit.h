@@ -22,6 +22,7 @@ enum class ObjectKind {
     light_scene,
     arrangement,
     object_group,
+    sub_area,
 };
 
 ObjectKind kind_of(const Scene& scene, ObjectId id);

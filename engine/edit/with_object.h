@@ -15,6 +15,7 @@ void with_object(SceneType& scene, ObjectId id, const Visit& visit) {
         }
     };
     if (scene.room && scene.room->id == id) visit(*scene.room, ObjectKind::room);
+    if (scene.room) search(scene.room->sub_areas, ObjectKind::sub_area);
     search(scene.furniture, ObjectKind::furniture);
     search(scene.surfaces, ObjectKind::surface);
     search(scene.luminaires, ObjectKind::luminaire);

@@ -14,7 +14,7 @@ namespace hanei {
 
 std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form);
 std::optional<Scene> furniture_panel(const Scene& scene, ObjectId id, Form& form);
-std::optional<Scene> room_panel(const Scene& scene, Form& form);
+std::optional<Scene> sub_area_panel(const Scene& scene, ObjectId id, Form& form);
 std::optional<Scene> surface_panel(const Scene& scene, ObjectId id, Form& form);
 std::optional<Scene> material_panel(const Scene& scene, ObjectId id, Form& form);
 std::optional<Scene> grid_panel(const Scene& scene, ObjectId id, Form& form);
