@@ -1,5 +1,6 @@
 #include "engine/edit/edit.h"
 
+#include "engine/edit/arrangements.h"
 #include "engine/edit/with_object.h"
 
 #include <algorithm>
@@ -109,6 +110,10 @@ void forget(Scene& scene, ObjectId id) {
 }  // namespace
 
 Scene removed(Scene scene, ObjectId id) {
+    if (const Arrangement* arrangement = find_arrangement(scene, id)) {
+        const std::vector<ObjectId> members = arrangement->luminaires;
+        for (const ObjectId member : members) scene = removed(std::move(scene), member);
+    }
     if (scene.room) erase(scene.room->sub_areas, id);
     erase(scene.furniture, id);
     erase(scene.surfaces, id);

@@ -1,5 +1,6 @@
 #include "engine/edit/several.h"
 
+#include "engine/edit/arrangements.h"
 #include "engine/edit/excerpt.h"
 #include "engine/edit/with_object.h"
 
@@ -98,13 +99,11 @@ Scene with_motion(Scene scene, std::span<const ObjectId> chosen, const Motion& m
         });
     }
     for (Arrangement& arrangement : scene.arrangements) {
-        const auto goes = [&](ObjectId id) { return holds(objects, id); };
+        const auto goes = [&](ObjectId id) { return !id || holds(objects, id); };  // empty places go along
         if (std::all_of(arrangement.luminaires.begin(), arrangement.luminaires.end(), goes))
             move(arrangement, motion);
-        else
-            std::erase_if(arrangement.luminaires, goes);
     }
-    return scene;
+    return with_arrangements_kept(std::move(scene));
 }
 
 }  // namespace
@@ -130,12 +129,6 @@ ObjectIds objects_of(const Scene& scene, std::span<const ObjectId> chosen) {
 ObjectId group_of(const Scene& scene, ObjectId id) {
     for (const ObjectGroup& group : scene.object_groups)
         if (holds(group.members, id)) return group.id;
-    return {};
-}
-
-ObjectId arrangement_of(const Scene& scene, ObjectId luminaire) {
-    for (const Arrangement& arrangement : scene.arrangements)
-        if (holds(arrangement.luminaires, luminaire)) return arrangement.id;
     return {};
 }
 

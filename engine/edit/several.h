@@ -21,9 +21,6 @@ ObjectIds objects_of(const Scene& scene, std::span<const ObjectId> chosen);
 /// The group that the object is a member of; the id of nothing when it is in none.
 ObjectId group_of(const Scene& scene, ObjectId id);
 
-/// The arrangement that the luminaire hangs in; the id of nothing when it is in none.
-ObjectId arrangement_of(const Scene& scene, ObjectId luminaire);
-
 /// All objects of the kinds of these: of one luminaire all luminaires.
 ObjectIds same_kind(const Scene& scene, std::span<const ObjectId> chosen);
 

@@ -1,5 +1,7 @@
 #include "ui/panels/choosing.h"
 
+#include "engine/edit/arrangements.h"
+
 #include <algorithm>
 
 namespace hanei {
@@ -7,8 +9,8 @@ namespace hanei {
 ObjectId meant_by_click(const Scene& scene, const Selection& before, ObjectId hit, ClickManner manner) {
     const ObjectId group = group_of(scene, hit);
     if (!group) {
-        const ObjectId arrangement = manner.twice ? arrangement_of(scene, hit) : ObjectId{};
-        return arrangement ? arrangement : hit;
+        const Arrangement* const arrangement = manner.twice ? arrangement_of(scene, hit) : nullptr;
+        return arrangement != nullptr ? arrangement->id : hit;
     }
     const bool entered = group_of(scene, before.primary()) == group;
     return manner.alone || manner.twice || entered ? hit : group;

@@ -25,10 +25,8 @@ void draw_mark(ImDrawList& list, const ValueLabel& label, ImVec2 middle, ImVec2 
 }  // namespace
 
 ViewOptions LabelLayer::options_of(const PaneSight& sight) const {
-    constexpr LightPart four_parts[] = {LightPart::total, LightPart::direct, LightPart::unshadowed,
-                                        LightPart::interreflected};
     ViewOptions look = state_.options;
-    if (state_.four_up) look.part = four_parts[sight.number];
+    look.part = state_.panes.part(sight.number, look.part);
     const ObjectId chosen = sight.selection.primary();
     if (kind_of(*sight.scene, chosen) == ObjectKind::grid) {
         look.values = true;

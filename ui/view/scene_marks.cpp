@@ -2,6 +2,7 @@
 #include "engine/scene/colour.h"
 #include "engine/scene/dimmers.h"
 #include "engine/scene/faces.h"
+#include "engine/scene/suspension.h"
 #include "ui/view/luminaire_shape.h"
 #include "ui/view/marks.h"
 #include "ui/view/tone.h"
@@ -127,6 +128,8 @@ LuminaireMarks luminaire_marks(const Scene& scene) {
             marks.tubes.push_back({shape.tube->first, shape.tube->second, ink::luminaire, 7.0F});
             marks.tubes.push_back({shape.tube->first, shape.tube->second, light, 4.6F});
         }
+        if (const auto cord = suspension_of(scene, luminaire))
+            marks.outlines.push_back({glm::vec3(cord->first), glm::vec3(cord->second), ink::luminaire, 1.0F});
         if (shape.point) marks.dots.push_back({glm::vec3(*shape.point), light, ink::luminaire, 6.0F, 0.0F});
     }
     return marks;
