@@ -5,6 +5,7 @@
 #include "app/exchange_commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/light_commands.h"
 #include "app/photometry_command.h"
 #include "app/why_command.h"
 
@@ -69,6 +70,7 @@ struct Arguments {
     ImportRequest import;
     ExportRequest exported;
     WhyRequest why;
+    LayoutRequest layout;
     std::filesystem::path check_project, photometry_file;
     std::optional<std::filesystem::path> photometry_json;
     std::optional<int> photometry_lamp_set;
@@ -108,6 +110,7 @@ void add_solve(CLI::App& app, Arguments& arguments) {
     add_project(*command, arguments.solve.project);
     command->add_option("--csv", arguments.solve.csv, "Write every value with its error bar here");
     command->add_option("--json", arguments.solve.json, "The same as JSON, with plan and flux");
+    add_light_scene(*command, arguments.solve.light_scene);
     arguments.common.add_to(*command);
 }
 
@@ -145,6 +148,7 @@ void add_render(CLI::App& app, Arguments& arguments) {
         ->check(CLI::IsMember({"lx", "fc"}));
     command->add_flag("--values", request.values, "Write the figures of calculation grids and points into the picture");
     command->add_flag("--plain", request.plain, "No legend and no caption");
+    add_light_scene(*command, request.light_scene);
     command->add_flag("--exact", request.exact,
                       "Direct light exact at every pixel and smooth edges of objects and shadows: takes seconds");
     command
@@ -270,6 +274,10 @@ int run(const CLI::App& app, Arguments& arguments) {
         arguments.exported.change = change;
         return export_command(arguments.exported);
     }
+    if (app.got_subcommand("layout")) {
+        arguments.layout.change = change;
+        return layout_command(arguments.layout);
+    }
     if (app.got_subcommand("check")) return check_command(arguments.check_project);
     if (app.got_subcommand("validate")) {
         arguments.validate.change = change;
@@ -296,6 +304,7 @@ int run_command_line(int argc, char** argv) {
     add_why(app, arguments);
     add_plan(app, arguments);
     add_study(app, arguments);
+    arguments.common.add_to(add_layout(app, arguments.layout));
     add_check(app, arguments);
     add_validate(app, arguments);
     add_photometry(app, arguments);

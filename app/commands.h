@@ -19,6 +19,7 @@ struct SolveRequest {
     std::filesystem::path project;
     std::optional<std::filesystem::path> csv, json;
     SettingsChange change;
+    std::string light_scene{};  ///< recalled first, by name; empty: the dimmers as they are
 };
 int solve_command(const SolveRequest& request);
 
@@ -41,6 +42,7 @@ struct RenderRequest {
     bool exact = false;               ///< direct light exact at every pixel
     int samples = 16;                 ///< rays a pixel at edges, when exact
     SettingsChange change;
+    std::string light_scene{};  ///< recalled first, by name; empty: the dimmers as they are
 };
 int render_command(const RenderRequest& request);
 

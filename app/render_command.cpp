@@ -2,6 +2,7 @@
 #include "app/exit_code.h"
 #include "app/files.h"
 #include "app/interrupt.h"
+#include "app/light_commands.h"
 #include "app/progress_line.h"
 #include "engine/base/tiles.h"
 #include "engine/study/study.h"
@@ -132,6 +133,7 @@ int render_command(const RenderRequest& request) {
     }
     auto project = open_project(request.project);
     if (!project) return exit_bad_input;
+    if (!recall_light_scene(project->scene, request.light_scene, request.project)) return exit_bad_input;
     request.change(project->settings);
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
     PictureRequest picture;

@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/light_commands.h"
 #include "app/photometry_command.h"
 #include "engine/report/report.h"
 #include "engine/report/report_json.h"
@@ -14,6 +15,7 @@ namespace hanei {
 int solve_command(const SolveRequest& request) {
     auto project = open_project(request.project);
     if (!project) return exit_bad_input;
+    if (!recall_light_scene(project->scene, request.light_scene, request.project)) return exit_bad_input;
     request.change(project->settings);
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
     Study study;

@@ -96,6 +96,25 @@ const Arrangement* arrangement_of(const Scene& scene, ObjectId luminaire) {
     return nullptr;
 }
 
+std::vector<ObjectId> luminaires_among(const Scene& scene, std::span<const ObjectId> objects) {
+    const auto chosen = [&](ObjectId id) {
+        return id && std::find(objects.begin(), objects.end(), id) != objects.end();
+    };
+    const auto in_chosen_group = [&](ObjectId id) {
+        return std::any_of(scene.object_groups.begin(), scene.object_groups.end(), [&](const ObjectGroup& group) {
+            return chosen(group.id) && std::find(group.members.begin(), group.members.end(), id) != group.members.end();
+        });
+    };
+    std::vector<ObjectId> found;
+    for (const Luminaire& luminaire : scene.luminaires) {
+        const Arrangement* const arrangement = arrangement_of(scene, luminaire.id);
+        const bool meant = chosen(luminaire.id) || chosen(luminaire.group) || (arrangement && chosen(arrangement->id)) ||
+                           in_chosen_group(luminaire.id);
+        if (meant) found.push_back(luminaire.id);
+    }
+    return found;
+}
+
 std::size_t luminaires_in(const Arrangement& arrangement) {
     return static_cast<std::size_t>(std::count_if(arrangement.luminaires.begin(), arrangement.luminaires.end(),
                                                   [](ObjectId id) { return static_cast<bool>(id); }));

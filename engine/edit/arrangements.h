@@ -4,6 +4,8 @@
 #include "engine/edit/edit.h"
 #include "engine/scene/layout.h"
 
+#include <span>
+
 namespace hanei {
 
 /// Null when the id names none.
@@ -11,6 +13,10 @@ const Arrangement* find_arrangement(const Scene& scene, ObjectId id);
 
 /// The arrangement the luminaire hangs in; null when it hangs by itself.
 const Arrangement* arrangement_of(const Scene& scene, ObjectId luminaire);
+
+/// The luminaires meant by these objects, each once: themselves, those of arrangements, of control
+/// groups and of groups of objects.
+std::vector<ObjectId> luminaires_among(const Scene& scene, std::span<const ObjectId> objects);
 
 /// How many of its places have a luminaire.
 std::size_t luminaires_in(const Arrangement& arrangement);

@@ -133,6 +133,19 @@ TEST(Arrangements, degenerate_layouts_change_nothing) {
     EXPECT_EQ(with_layout(field.scene, ObjectId{999}, LineLayout{{}, {}, 2}, 0.0), field.scene);
 }
 
+TEST(LuminairesAmong, objects_are_those_of_arrangements_and_groups_each_once) {
+    Added field = field_of_six();
+    Scene scene = with_point_luminaire(field.scene).scene;
+    const ObjectId point = scene.luminaires.back().id;
+    const ObjectId both[] = {field.object, only(scene).luminaires[0]};
+    EXPECT_EQ(luminaires_among(scene, both).size(), 6U);
+    const ObjectId group = scene.new_id();
+    scene.control_groups.push_back({group, "row", 1.0, 0.0, {}});
+    scene.luminaires.back().group = group;
+    const ObjectId by_group[] = {group, scene.room->id, ObjectId{}};
+    EXPECT_EQ(luminaires_among(scene, by_group), (std::vector<ObjectId>{point}));
+}
+
 TEST(Arrangements, a_line_runs_along_the_room_s_longer_side) {
     const Scene room = empty_room();
     const auto line = std::get<LineLayout>(line_over_room(room, 2.5, 3));
