@@ -103,6 +103,9 @@ void add_desktop(CLI::App& app, Arguments& arguments) {
                    "Play this script of clicks, keys, drags and pictures without a window, then end");
     app.add_option("--state-file", arguments.desktop.state_file,
                    "Keep the window's state here as JSON, for test drivers");
+    app.add_option("--user-folder", arguments.desktop.user_folder,
+                   "Keep preferences and unsaved work here; else in XDG_CONFIG_HOME and XDG_STATE_HOME, and of scripts "
+                   "nothing");
 }
 
 void add_solve(CLI::App& app, Arguments& arguments) {
@@ -241,7 +244,6 @@ void add_export(CLI::App& app, Arguments& arguments) {
 }
 
 int run_desktop_from(Arguments& arguments) {
-    if (arguments.desktop.project.empty()) arguments.desktop.project = start_room();
     read_size(arguments.size, arguments.desktop.width, arguments.desktop.height);
     return run_desktop(arguments.desktop);
 }

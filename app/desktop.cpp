@@ -2,6 +2,7 @@
 
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/user_folders.h"
 #include "engine/edit/edit.h"
 #include "engine/project/luminaires.h"
 #include "engine/project/project_file.h"
@@ -37,6 +38,22 @@ Opened<std::vector<Photometry>> photometries_of(const std::filesystem::path& fil
     return opened;
 }
 
+ProjectDoor door_for(const DesktopRequest& request) {
+    ProjectDoor door = project_door();
+    if (request.script && !request.user_folder) return door;
+    if (const auto folders = user_folders(request.user_folder)) door.user = user_door(*folders);
+    return door;
+}
+
+/// The project that is named; else the start room, so that there is light to look at, else an empty room.
+std::optional<ProjectContent> first_content(const std::filesystem::path& named) {
+    const std::filesystem::path file = named.empty() ? start_room() : named;
+    if (named.empty() && !std::filesystem::exists(file)) return ProjectContent{empty_room(), {}};
+    const std::optional<Project> project = open_project(file);
+    if (!project) return std::nullopt;
+    return ProjectContent{project->scene, project->settings};
+}
+
 int play(const std::filesystem::path& file, ProjectContent content, const DesktopRequest& request) {
     std::ifstream stream(file, std::ios::binary);
     std::stringstream text;
@@ -45,7 +62,7 @@ int play(const std::filesystem::path& file, ProjectContent content, const Deskto
         std::cerr << file.string() << ": this script cannot be read\n";
         return exit_bad_input;
     }
-    Driver driver({std::move(content), request.project, project_door(), {request.width, request.height}});
+    Driver driver({std::move(content), request.project, door_for(request), {request.width, request.height}});
     const auto fault = play_script(text.str(), file.string(), driver, std::cout);
     if (!fault) return exit_done;
     std::cerr << to_text(*fault) << '\n';
@@ -65,16 +82,15 @@ ProjectDoor project_door() {
 }
 
 int run_desktop(const DesktopRequest& request) {
-    ProjectContent content{empty_room(), {}};
-    if (!request.project.empty()) {
-        const std::optional<Project> project = open_project(request.project);
-        if (!project) return exit_bad_input;
-        content = {project->scene, project->settings};
-    }
+    std::optional<ProjectContent> content = first_content(request.project);
+    if (!content) return exit_bad_input;
     try {
-        if (request.script) return play(*request.script, std::move(content), request);
-        run_window(
-            {std::move(content), request.project, project_door(), {request.width, request.height}, request.state_file});
+        if (request.script) return play(*request.script, std::move(*content), request);
+        run_window({std::move(*content),
+                    request.project,
+                    door_for(request),
+                    {request.width, request.height},
+                    request.state_file});
         return exit_done;
     } catch (const std::runtime_error& fault) {
         std::cerr << fault.what() << '\n';

@@ -9,9 +9,11 @@
 namespace hanei {
 
 struct DesktopRequest {
-    std::filesystem::path project;                    ///< empty: an empty room
+    std::filesystem::path project;                    ///< empty: the start room, under no name yet
     std::optional<std::filesystem::path> script;      ///< play this without a window or display, then end
     std::optional<std::filesystem::path> state_file;  ///< keep the window's state here as JSON, for test drivers
+    /// Where preferences and unsaved work are kept. None: as the system says; of scripts, nothing is kept.
+    std::optional<std::filesystem::path> user_folder;
     int width = 1280;
     int height = 800;
 };

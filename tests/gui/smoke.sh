@@ -66,7 +66,7 @@ read -r -t 30 number <"$folder/display" || fail "the screen did not start"
 export DISPLAY=:$number
 
 cp "$project" "$folder/room.hanei"
-"$program" --state-file "$state" --size 1280x800 "$folder/room.hanei" >"$folder/log" 2>&1 &
+"$program" --user-folder "$folder/user" --state-file "$state" --size 1280x800 "$folder/room.hanei" >"$folder/log" 2>&1 &
 program_process=$!
 wait_for "the first answer" settled
 lux=$(value "$point")

@@ -9,12 +9,14 @@
 namespace hanei {
 
 enum class CommandId {
+    new_project,
     open,
     save,
     save_as,
     export_picture,
     render_exact,
     quit,
+    edit_preferences,
     undo,
     redo,
     duplicate,

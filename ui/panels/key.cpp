@@ -10,6 +10,7 @@ namespace {
 constexpr std::array names{
     std::pair{Key::space, "Space"},
     std::pair{Key::minus, "-"},
+    std::pair{Key::comma, ","},
     std::pair{Key::slash, "/"},
     std::pair{Key::plus, "+"},
     std::pair{Key::keypad_minus, "Keypad -"},

@@ -12,6 +12,7 @@ namespace hanei {
 enum class Key : int {
     none = 0,
     space = 32,
+    comma = ',',
     minus = '-',
     slash = '/',
     plus = '=',  ///< where the plus stands on a US keyboard

@@ -108,6 +108,14 @@ constexpr std::array table{
             "Raise the selection 0.1 m (Shift: 0.01 m)",
             {Key::page_up},
             {Key::page_up, false, true}},
+    Command{edit_preferences,
+            "edit.preferences",
+            "Edit",
+            "Preferences...",
+            "Language, look, units and how work is kept",
+            {Key::comma, true},
+            {},
+            true},
 };
 
 }  // namespace
@@ -192,6 +200,8 @@ void Workbench::do_edit(CommandId id) {
                 turned(scene, selection_.ids(), *middle_of(scene, selection_.ids()), 0.5 * std::numbers::pi),
                 "Turn " + words_for(scene, selection_.ids()) + " by 90 degrees");
             return;
+        case CommandId::edit_preferences:
+            return preferences_dialog_.open();
         case CommandId::turn_intensities: {
             Photometry turned =
                 turned_by_a_quarter(*photometry_of(scene, *find_luminaire(scene, selection_.primary())));

@@ -10,6 +10,7 @@ namespace {
 using enum CommandId;
 
 constexpr std::array table{
+    Command{new_project, "file.new", "File", "New", "An empty room to begin with", control('N')},
     Command{open, "file.open", "File", "Open...", "Open a project", control('O')},
     Command{save, "file.save", "File", "Save", "Save the project under its name", control('S')},
     Command{save_as, "file.save_as", "File", "Save as...", "Save the project under another name", control('S', true)},
@@ -45,6 +46,8 @@ bool Workbench::can_file(CommandId id) const {
 
 void Workbench::do_file(CommandId id) {
     switch (id) {
+        case CommandId::new_project:
+            return guarded([this] { start_anew(); });
         case CommandId::open:
             return guarded([this] { open_file(); });
         case CommandId::save:

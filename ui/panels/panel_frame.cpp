@@ -26,6 +26,7 @@ void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, flo
     const float grip = 5.0F * style::scale();
     const ImVec2 keep = ImGui::GetCursorScreenPos();
     const bool level = edge == Edge::top;
+    ImGui::PushClipRect({area.left, area.top}, {area.right, area.bottom}, false);  // it lies in the padding
     ImGui::SetCursorScreenPos({edge == Edge::right ? area.right - grip : area.left, area.top});
     ImGui::InvisibleButton("edge", {level ? area.right - area.left : grip, level ? grip : area.bottom - area.top});
     ImGui::SetItemAllowOverlap();
@@ -37,6 +38,7 @@ void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, flo
         const float grows = edge == Edge::right ? by.x : edge == Edge::left ? -by.x : -by.y;
         size = std::clamp(size + grows / style::scale(), low, high);
     }
+    ImGui::PopClipRect();
     ImGui::SetCursorScreenPos(keep);
 }
 

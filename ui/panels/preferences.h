@@ -5,6 +5,7 @@
 #include "ui/view/illuminance_unit.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace hanei {
@@ -20,6 +21,9 @@ struct Preferences {
     IlluminanceUnit illuminance = IlluminanceUnit::lux;
     float left_width = 224.0F, right_width = 292.0F, bottom_height = 196.0F;  ///< of the panels, at scale 1
     std::vector<std::filesystem::path> recent;                                ///< projects, the newest first
+    double autosave = 60.0;       ///< s, 5 to 600: unsaved work is kept at least as often
+    bool restores_layout = true;  ///< the panels' sizes are those of the last time
+    std::string unknown = {};     ///< fields of a newer program, as the text of a JSON object
     bool operator==(const Preferences&) const = default;
 };
 

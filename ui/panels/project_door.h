@@ -4,6 +4,7 @@
 #include "engine/base/diagnostic.h"
 #include "engine/plan/settings.h"
 #include "engine/scene/scene.h"
+#include "ui/panels/user_door.h"
 
 #include <filesystem>
 #include <functional>
@@ -29,6 +30,7 @@ struct ProjectDoor {
     std::function<std::optional<Diagnostic>(const ProjectContent&, const std::filesystem::path&)> save;
     /// Every luminaire of a file, each under the name a list of them shows; empty content when there is none.
     std::function<Opened<std::vector<Photometry>>(const std::filesystem::path&)> read_luminaires;
+    UserDoor user = {};
 };
 
 }  // namespace hanei

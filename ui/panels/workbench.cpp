@@ -9,7 +9,13 @@ namespace hanei {
 
 Workbench::Workbench(ProjectContent content, std::filesystem::path file, ProjectDoor door, std::function<void()> wake,
                      Options how)
-    : how_(how), door_(std::move(door)), document_(std::move(content), std::move(file)), study_(wake), exact_(wake) {
+    : how_(how),
+      door_(std::move(door)),
+      document_(std::move(content), std::move(file)),
+      study_(wake),
+      exact_(wake),
+      keeper_(door_.user) {
+    read_preferences();
     readings_.wake = std::move(wake);
     viewport_.state.options.pins = true;
     overlays_ = {&readings_.labels, &readings_.why, &readings_.snapshots, &readings_.profile};
@@ -20,9 +26,9 @@ std::string Workbench::title() const { return (document_.is_saved() ? "" : "• 
 
 void Workbench::read_keys() {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool blocked = dialogs_.kind() != Dialogs::Kind::none || browser_.is_open() || viewport_.dragging() ||
-                         io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
-    const bool menu_open = dialogs_.kind() == Dialogs::Kind::none && !browser_.is_open() && !io.WantTextInput &&
+    const bool blocked =
+        is_asking() || viewport_.dragging() || io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+    const bool menu_open = !is_asking() && !io.WantTextInput &&
                            ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     if (menu_open && ImGui::IsKeyPressed(static_cast<int>(Key::escape))) return ImGui::ClosePopupToLevel(0, true);
     if (blocked || menu_open) return;
@@ -89,6 +95,8 @@ void Workbench::draw(const ViewPainter& paint) {
         paint, [this] { save_exact(); }, widgets_);
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
+    preferences_dialog_.draw(preferences_, form_);
+    keep_preferences();
 }
 
 }  // namespace hanei

@@ -10,9 +10,13 @@
 #include "ui/panels/form.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/object_tree.h"
+#include "ui/panels/messages.h"
 #include "ui/panels/photometry_panel.h"
 #include "ui/panels/preferences.h"
 #include "ui/panels/readings.h"
+#include "ui/panels/preferences_dialog.h"
+#include "ui/panels/preferences_keeper.h"
+#include "ui/panels/recent_menu.h"
 #include "ui/panels/selection.h"
 #include "ui/panels/viewport.h"
 
@@ -56,6 +60,7 @@ public:
     const PhotometryPanel& photometry() const { return photometry_; }
     const Readings& readings() const { return readings_; }
     const Preferences& preferences() const { return preferences_; }
+    const Messages& messages() const { return messages_; }
     const std::string& message() const { return message_; }
     bool is_snapping() const { return snaps_; }
     long frames() const { return frames_; }
@@ -107,6 +112,10 @@ private:
     void photometry_tab();
     void status_line(const ScreenRect& area);
 
+    bool is_asking() const;  ///< a dialog stands in front
+    void read_preferences();
+    void keep_preferences();
+    void start_anew();
     void open_file();
     void load(const std::filesystem::path& file);
     void save(bool under_new_name, std::function<void()> then = nullptr);
@@ -158,6 +167,10 @@ private:
     long frames_ = 0;
     Preferences preferences_;
     Readings readings_{viewport_.state};
+    PreferencesKeeper keeper_;
+    PreferencesDialog preferences_dialog_;
+    RecentMenu recent_menu_;
+    Messages messages_;
 };
 
 }  // namespace hanei

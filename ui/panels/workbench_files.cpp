@@ -30,6 +30,7 @@ void Workbench::open_file() {
 
 void Workbench::load(const std::filesystem::path& file) {
     Opened<ProjectContent> opened = door_.open(file);
+    messages_.note("File", opened.findings);
     if (!opened.findings.empty()) {
         dialogs_.show_findings(opened.content ? "Opened, with remarks" : "This project cannot be opened",
                                opened.findings);
@@ -42,6 +43,7 @@ void Workbench::load(const std::filesystem::path& file) {
     readings_.snapshots.forget();
     readings_.profile.forget();
     shows_overview_ = true;
+    keeper_.remember_project(preferences_, file);
     message_ = "Opened " + file.filename().string();
 }
 
@@ -54,10 +56,12 @@ void Workbench::save(bool under_new_name, std::function<void()> then) {
 
 void Workbench::write(const std::filesystem::path& file, const std::function<void()>& then) {
     if (const auto fault = door_.save(document_.content(), file)) {
+        messages_.note("File", *fault);
         dialogs_.show_findings("The project was not saved", {*fault});
         return;
     }
     document_.mark_saved(file);
+    keeper_.remember_project(preferences_, file);
     message_ = "Saved " + file.filename().string();
     if (then) then();
 }

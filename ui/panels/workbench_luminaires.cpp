@@ -42,7 +42,7 @@ void Workbench::replace_luminaire_file() {
 /// On the view files hang where they are dropped; on the luminaire that is chosen, or beside the
 /// view while one is chosen, they may take the place of its light.
 void Workbench::drop(const std::vector<std::filesystem::path>& files) {
-    if (dialogs_.kind() != Dialogs::Kind::none || browser_.is_open() || viewport_.dragging()) {
+    if (is_asking() || viewport_.dragging()) {
         message_ = "Nothing was dropped: finish what is open first";
         return;
     }

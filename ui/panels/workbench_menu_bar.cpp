@@ -45,6 +45,9 @@ void Workbench::menu_bar() {
         widgets_.note(std::string(entry.name));
         tooltip(std::string(entry.help));
         if (wished) carry_out(entry.id);
+        if (entry.id != CommandId::open) continue;
+        if (const auto recent = recent_menu_.draw(preferences_.recent, widgets_))
+            guarded([this, file = *recent] { load(file); });
     }
     if (open) ImGui::EndMenu();
     const std::string name = (document_.is_saved() ? "" : "•  ") + document_.title();
