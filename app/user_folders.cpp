@@ -1,6 +1,7 @@
 #include "app/user_folders.h"
 
 #include "app/preferences_file.h"
+#include "app/recovery_folder.h"
 
 #include <cstdlib>
 
@@ -32,6 +33,7 @@ UserDoor user_door(const UserFolders& folders) {
     door.save_preferences = [file = folders.preferences](const Preferences& preferences) {
         return write_preferences(preferences, file);
     };
+    door.recovery = recovery_door(folders.recovery);
     return door;
 }
 

@@ -13,6 +13,7 @@ enum class CommandId {
     open,
     save,
     save_as,
+    recover_work,
     export_picture,
     render_exact,
     quit,

@@ -14,6 +14,12 @@ constexpr std::array table{
     Command{open, "file.open", "File", "Open...", "Open a project", control('O')},
     Command{save, "file.save", "File", "Save", "Save the project under its name", control('S')},
     Command{save_as, "file.save_as", "File", "Save as...", "Save the project under another name", control('S', true)},
+    Command{recover_work,
+            "file.recover",
+            "File",
+            "Recover unsaved work...",
+            "Look for work of windows that ended before it was saved",
+            {}},
     Command{export_picture,
             "file.export",
             "File",
@@ -34,6 +40,8 @@ std::span<const Command> file_menu() { return table; }
 
 bool Workbench::can_file(CommandId id) const {
     switch (id) {
+        case CommandId::recover_work:
+            return static_cast<bool>(door_.user.recovery.lost);
         case CommandId::export_picture:
             return study_.solution() != nullptr;
         case CommandId::render_exact:
@@ -54,6 +62,10 @@ void Workbench::do_file(CommandId id) {
             return save(false);
         case CommandId::save_as:
             return save(true);
+        case CommandId::recover_work:
+            offer_recovery();
+            if (!recovery_.is_open()) message_ = "There is no unsaved work to recover";
+            return;
         case CommandId::export_picture:
             return ask_for_picture();
         case CommandId::render_exact:

@@ -1,9 +1,7 @@
 /// The window's way to the disk. Panels know no file formats: the program hands them these.
 #pragma once
 
-#include "engine/base/diagnostic.h"
-#include "engine/plan/settings.h"
-#include "engine/scene/scene.h"
+#include "ui/panels/project_content.h"
 #include "ui/panels/user_door.h"
 
 #include <filesystem>
@@ -12,18 +10,6 @@
 #include <vector>
 
 namespace hanei {
-
-/// What the window edits and saves.
-struct ProjectContent {
-    Scene scene;
-    Settings settings;
-};
-
-template <class Content>
-struct Opened {
-    std::optional<Content> content;  ///< empty when the file cannot be used
-    Diagnostics findings;
-};
 
 struct ProjectDoor {
     std::function<Opened<ProjectContent>(const std::filesystem::path&)> open;

@@ -79,6 +79,8 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     state["dialog"] = std::string(name_of(workbench.dialogs().kind()));
     state["finding"] =
         workbench.dialogs().shown_findings().empty() ? "" : workbench.dialogs().shown_findings().front().message;
+    state["recovery"] = std::to_string(workbench.recovery().is_open() ? workbench.recovery().offers().size() : 0);
+    state["messages"] = std::to_string(workbench.messages().entries().size());
     state["browser"] = truth(workbench.browser().is_open());
     state["snap"] = truth(workbench.is_snapping());
     state["part"] = workbench.viewport().state.panes.shows_parts()

@@ -3,6 +3,7 @@
 
 #include "engine/base/diagnostic.h"
 #include "ui/panels/preferences.h"
+#include "ui/panels/recovery_door.h"
 
 #include <functional>
 #include <optional>
@@ -18,6 +19,7 @@ struct UserDoor {
     /// Never fails: what cannot be read is as it is by default, with a remark.
     std::function<Opened()> open_preferences;
     std::function<std::optional<Diagnostic>(const Preferences&)> save_preferences;
+    RecoveryDoor recovery = {};
 };
 
 }  // namespace hanei

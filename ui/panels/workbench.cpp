@@ -14,8 +14,11 @@ Workbench::Workbench(ProjectContent content, std::filesystem::path file, Project
       document_(std::move(content), std::move(file)),
       study_(wake),
       exact_(wake),
-      keeper_(door_.user) {
+      keeper_(door_.user),
+      stamp_(stamp_of(document_.file())),
+      autosave_(door_.user.recovery, wake) {
     read_preferences();
+    offer_recovery();
     readings_.wake = std::move(wake);
     viewport_.state.options.pins = true;
     overlays_ = {&readings_.labels, &readings_.why, &readings_.snapshots, &readings_.profile};
@@ -96,6 +99,7 @@ void Workbench::draw(const ViewPainter& paint) {
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
     preferences_dialog_.draw(preferences_, form_);
+    follow_recovery();
     keep_preferences();
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "engine/edit/excerpt.h"
+#include "ui/panels/autosave.h"
 #include "ui/panels/command.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/document.h"
 #include "ui/panels/exact_panel.h"
 #include "ui/panels/file_browser.h"
+#include "ui/panels/file_stamp.h"
 #include "ui/panels/form.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/object_tree.h"
@@ -17,6 +19,7 @@
 #include "ui/panels/preferences_dialog.h"
 #include "ui/panels/preferences_keeper.h"
 #include "ui/panels/recent_menu.h"
+#include "ui/panels/recovery_dialog.h"
 #include "ui/panels/selection.h"
 #include "ui/panels/viewport.h"
 
@@ -61,6 +64,7 @@ public:
     const Readings& readings() const { return readings_; }
     const Preferences& preferences() const { return preferences_; }
     const Messages& messages() const { return messages_; }
+    const RecoveryDialog& recovery() const { return recovery_; }
     const std::string& message() const { return message_; }
     bool is_snapping() const { return snaps_; }
     long frames() const { return frames_; }
@@ -116,10 +120,16 @@ private:
     void read_preferences();
     void keep_preferences();
     void start_anew();
+    void offer_recovery();
+    void recover(const LostWork& work);
+    void follow_recovery();
+    void show(Document document);
     void open_file();
     void load(const std::filesystem::path& file);
     void save(bool under_new_name, std::function<void()> then = nullptr);
     void write(const std::filesystem::path& file, const std::function<void()>& then);
+    void ask_about_changed_file(const std::function<void()>& then);
+    void ask_where_else(const std::filesystem::path& file, const Diagnostic& fault, const std::function<void()>& then);
     void add_luminaire_file();
     void replace_luminaire_file();
 
@@ -171,6 +181,9 @@ private:
     PreferencesDialog preferences_dialog_;
     RecentMenu recent_menu_;
     Messages messages_;
+    RecoveryDialog recovery_;
+    FileStamp stamp_;  ///< of the project's file, as it was read or written here
+    Autosave autosave_;
 };
 
 }  // namespace hanei

@@ -20,7 +20,10 @@ void Workbench::guarded(std::function<void()> then) {
 }
 
 void Workbench::ask_to_quit() {
-    guarded([this] { quits_ = true; });
+    guarded([this] {
+        quits_ = true;
+        autosave_.end();
+    });
 }
 
 void Workbench::open_file() {
@@ -36,13 +39,7 @@ void Workbench::load(const std::filesystem::path& file) {
                                opened.findings);
     }
     if (!opened.content) return;
-    document_ = Document(std::move(*opened.content), file);
-    selection_.clear();
-    readings_.scale.forget();
-    readings_.why.forget();
-    readings_.snapshots.forget();
-    readings_.profile.forget();
-    shows_overview_ = true;
+    show(Document(std::move(*opened.content), file));
     keeper_.remember_project(preferences_, file);
     message_ = "Opened " + file.filename().string();
 }
@@ -54,16 +51,55 @@ void Workbench::save(bool under_new_name, std::function<void()> then) {
                   [this, then](const std::filesystem::path& file) { write(file, then); });
 }
 
+void Workbench::show(Document document) {
+    document_ = std::move(document);
+    stamp_ = stamp_of(document_.file());
+    selection_.clear();
+    readings_.scale.forget();
+    readings_.why.forget();
+    readings_.snapshots.forget();
+    readings_.profile.forget();
+    shows_overview_ = true;
+}
+
 void Workbench::write(const std::filesystem::path& file, const std::function<void()>& then) {
-    if (const auto fault = door_.save(document_.content(), file)) {
-        messages_.note("File", *fault);
-        dialogs_.show_findings("The project was not saved", {*fault});
-        return;
-    }
+    const FileStamp now = stamp_of(file);
+    const bool same_file = !file.empty() && file == document_.file();
+    if (same_file && stamp_.is_there && now.is_there && now != stamp_) return ask_about_changed_file(then);
+    if (const auto fault = door_.save(document_.content(), file)) return ask_where_else(file, *fault, then);
     document_.mark_saved(file);
-    keeper_.remember_project(preferences_, file);
     message_ = "Saved " + file.filename().string();
+    if (same_file && stamp_.is_there && !now.is_there) message_ += ", which was gone";
+    stamp_ = stamp_of(file);
+    keeper_.remember_project(preferences_, file);
     if (then) then();
+}
+
+void Workbench::ask_about_changed_file(const std::function<void()>& then) {
+    const std::filesystem::path file = document_.file();
+    const std::string text = file.filename().string() +
+                             " was written by another program since it was opened here. Saving would replace what "
+                             "that program wrote.";
+    dialogs_.ask_choice("The file has changed", text,
+                        {"Replace it by what is shown here", "Save under another name...",
+                         "Open what is there, and give up the changes made here"},
+                        [this, file, then](std::size_t k) {
+                            if (k == 1) return save(true, then);
+                            if (k == 2) return load(file);
+                            stamp_ = stamp_of(file);
+                            write(file, then);
+                        });
+}
+
+void Workbench::ask_where_else(const std::filesystem::path& file, const Diagnostic& fault,
+                               const std::function<void()>& then) {
+    messages_.note("File", fault);
+    message_ = file.filename().string() + " was not saved";
+    dialogs_.ask_choice("The project was not saved", to_text(fault) + ".\nWhat was there before is as it was.",
+                        {"Save under another name...", "Try again"}, [this, file, then](std::size_t k) {
+                            if (k == 0) return save(true, then);
+                            write(file, then);
+                        });
 }
 
 void Workbench::ask_for_picture() {

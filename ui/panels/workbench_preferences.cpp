@@ -9,7 +9,6 @@ void Workbench::read_preferences() {
     UserDoor::Opened opened = keeper_.open();
     preferences_ = std::move(opened.preferences);
     messages_.note("Preferences", opened.findings);
-    if (!opened.findings.empty()) message_ = "Preferences could not be read whole";
     if (!document_.file().empty()) keeper_.remember_project(preferences_, document_.file());
 }
 
@@ -23,14 +22,12 @@ void Workbench::keep_preferences() {
 }
 
 bool Workbench::is_asking() const {
-    return dialogs_.kind() != Dialogs::Kind::none || browser_.is_open() || preferences_dialog_.is_open();
+    return dialogs_.kind() != Dialogs::Kind::none || browser_.is_open() || preferences_dialog_.is_open() ||
+           recovery_.is_open();
 }
 
 void Workbench::start_anew() {
-    document_ = Document({empty_room(), {}});
-    selection_.clear();
-    viewport_.state.range_fitted = false;
-    shows_overview_ = true;
+    show(Document({empty_room(), {}}));
     message_ = "A new room";
 }
 

@@ -213,6 +213,7 @@ private:
             for (const auto& [name, rect] : driver_.workbench().widgets().all()) out_ << name << '\n';
         else
             out_ << what << ": " << state(what) << '\n';
+        out_ << std::flush;  // it is there, however the program ends
         return {};
     }
 
