@@ -71,7 +71,7 @@ struct Arguments {
     ExportRequest exported;
     WhyRequest why;
     LayoutRequest layout;
-    std::filesystem::path check_project, photometry_file;
+    std::filesystem::path check_project, photometry_file, described;
     std::optional<std::filesystem::path> photometry_json;
     std::optional<int> photometry_lamp_set;
     std::string size = "1280x800";
@@ -121,7 +121,9 @@ void add_render(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("render", "Draw a picture (PNG) without a display");
     RenderRequest& request = arguments.render;
     add_project(*command, request.project);
-    command->add_option("--out", request.out, "PNG file to write")->required();
+    command->add_option("--out", request.out, "PNG file to write; with --name-template the folder")->required();
+    command->add_option("--name-template", request.name_template,
+                        "Name of the file: {project} {view} {part} {date} {time} {size} are replaced");
     command->add_option("--view", request.view, "A saved view by name or number, \"overview\" or \"plan\"");
     command->add_option("--size", arguments.render_size, "Size of the picture in pixels")
         ->check(CLI::Validator(check_size, "WxH"));
@@ -174,6 +176,11 @@ void add_why(CLI::App& app, Arguments& arguments) {
         ->excludes(at);
     command->add_option("--json", request.json, "Write the same as JSON");
     arguments.common.add_to(*command);
+}
+
+void add_describe(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("describe", "What an exported picture says of itself");
+    command->add_option("PICTURE", arguments.described, "PNG file")->required();
 }
 
 void add_plan(CLI::App& app, Arguments& arguments) {
@@ -263,6 +270,7 @@ int run(const CLI::App& app, Arguments& arguments) {
         arguments.why.change = change;
         return why_command(arguments.why);
     }
+    if (app.got_subcommand("describe")) return describe_command(arguments.described);
     if (app.got_subcommand("plan")) {
         arguments.plan.change = change;
         return plan_command(arguments.plan);
@@ -304,6 +312,7 @@ int run_command_line(int argc, char** argv) {
     add_solve(app, arguments);
     add_render(app, arguments);
     add_why(app, arguments);
+    add_describe(app, arguments);
     add_plan(app, arguments);
     add_study(app, arguments);
     arguments.common.add_to(add_layout(app, arguments.layout));

@@ -25,7 +25,8 @@ int solve_command(const SolveRequest& request);
 
 struct RenderRequest {
     std::filesystem::path project, out;
-    std::string view;  ///< a saved view by name or number from 1; "overview", "plan"; empty: the first
+    std::string name_template;  ///< not empty: `out` is a folder, and this names the file in it
+    std::string view;           ///< a saved view by name or number from 1; "overview", "plan"; empty: the first
     int width = 1280, height = 800;
     std::string part = "total";  ///< or "four-up", "shadow-classes"
     bool shadow_outlines = false;
@@ -58,6 +59,9 @@ struct SweepRequest {
     SettingsChange change;
 };
 int study_command(const SweepRequest& request);
+
+/// Prints what a picture that was exported says of itself.
+int describe_command(const std::filesystem::path& picture);
 
 int check_command(const std::filesystem::path& project);
 

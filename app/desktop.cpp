@@ -1,5 +1,6 @@
 #include "app/desktop.h"
 
+#include "app/clipboard.h"
 #include "app/exit_code.h"
 #include "app/files.h"
 #include "app/user_folders.h"
@@ -78,6 +79,8 @@ ProjectDoor project_door() {
         return write_project({content.scene, content.settings}, file);
     };
     door.read_luminaires = photometries_of;
+    door.text = [](const ProjectContent& content) { return project_text({content.scene, content.settings}); };
+    door.copy_picture = copy_png;
     return door;
 }
 

@@ -7,11 +7,14 @@
 #include "engine/base/tiles.h"
 #include "engine/study/study.h"
 #include "ui/panels/exact_room.h"
+#include "ui/panels/picture_name.h"
 #include "ui/view/offscreen.h"
+#include "ui/view/picture_text.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 
 namespace hanei {
@@ -113,6 +116,30 @@ std::shared_ptr<const ExactPicture> exact_room_of(const SolutionSnapshot& soluti
     return room;
 }
 
+/// SOURCE_DATE_EPOCH, for pictures that shall be the same at any time; else now.
+std::chrono::system_clock::time_point present_time() {
+    const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
+    const long long seconds = fixed != nullptr ? std::atoll(fixed) : 0;
+    return seconds > 0 ? std::chrono::system_clock::time_point(std::chrono::seconds(seconds))
+                       : std::chrono::system_clock::now();
+}
+
+/// Where the picture goes: as it is named, or in that folder by the template. Empty, and said, when that makes
+/// no sense.
+std::filesystem::path file_for(const RenderRequest& request) {
+    if (request.name_template.empty()) return request.out;
+    const NameParts parts{request.project.stem().string(),
+                          request.view.empty() ? "view" : request.view,
+                          request.part == "four-up" ? "four parts" : request.part,
+                          request.width,
+                          request.height,
+                          1,
+                          present_time()};
+    const PictureName name = picture_name(request.name_template, parts);
+    if (!name.fault.empty()) std::fprintf(stderr, "--name-template: %s\n", name.fault.c_str());
+    return name.fault.empty() ? request.out / name.name : std::filesystem::path();
+}
+
 /// The program ends here by the user's signal: nothing was written.
 int ended_by(Interrupt& interrupt) {
     interrupt.pass_on();
@@ -131,10 +158,13 @@ int render_command(const RenderRequest& request) {
         std::fputs("--exact: not for --part shadow-classes; classes are of whole patches\n", stderr);
         return exit_bad_input;
     }
+    const std::filesystem::path file = file_for(request);
+    if (file.empty()) return exit_bad_input;
     auto project = open_project(request.project);
     if (!project) return exit_bad_input;
     if (!recall_light_scene(project->scene, request.light_scene, request.project)) return exit_bad_input;
     request.change(project->settings);
+    const std::string hash = short_hash(project_text(*project));
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
     PictureRequest picture;
     picture.options = options_for(request, *scene);
@@ -168,7 +198,7 @@ int render_command(const RenderRequest& request) {
     const OffscreenContext context;
     const Image image = four_up ? render_four_up(solution, picture) : render_picture(solution, picture);
     if (interrupt.came()) return ended_by(interrupt);
-    write_png(image, request.out, {{"Title", scene->title}, {"Software", "Hanei " HANEI_VERSION}});
+    write_png(image, file, picture_text(*solution, picture.options, hash, present_time()));
     return exit_done;
 }
 

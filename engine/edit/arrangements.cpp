@@ -108,8 +108,8 @@ std::vector<ObjectId> luminaires_among(const Scene& scene, std::span<const Objec
     std::vector<ObjectId> found;
     for (const Luminaire& luminaire : scene.luminaires) {
         const Arrangement* const arrangement = arrangement_of(scene, luminaire.id);
-        const bool meant = chosen(luminaire.id) || chosen(luminaire.group) || (arrangement && chosen(arrangement->id)) ||
-                           in_chosen_group(luminaire.id);
+        const bool meant = chosen(luminaire.id) || chosen(luminaire.group) ||
+                           (arrangement && chosen(arrangement->id)) || in_chosen_group(luminaire.id);
         if (meant) found.push_back(luminaire.id);
     }
     return found;

@@ -100,8 +100,7 @@ Scene with_motion(Scene scene, std::span<const ObjectId> chosen, const Motion& m
     }
     for (Arrangement& arrangement : scene.arrangements) {
         const auto goes = [&](ObjectId id) { return !id || holds(objects, id); };  // empty places go along
-        if (std::all_of(arrangement.luminaires.begin(), arrangement.luminaires.end(), goes))
-            move(arrangement, motion);
+        if (std::all_of(arrangement.luminaires.begin(), arrangement.luminaires.end(), goes)) move(arrangement, motion);
     }
     return with_arrangements_kept(std::move(scene));
 }

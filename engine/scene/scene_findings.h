@@ -64,7 +64,7 @@ void check_photometries(SceneChecks& checks);
 void check_luminaires(SceneChecks& checks);
 void check_calculation(SceneChecks& checks);  ///< grids, points and views
 void check_colour_scale(SceneChecks& checks);
-void check_lighting(SceneChecks& checks);     ///< control groups, light scenes and arrangements
+void check_lighting(SceneChecks& checks);  ///< control groups, light scenes and arrangements
 
 /// 0 for neutral light, or a temperature in kelvin.
 void check_colour_temperature(ObjectFindings& object, double kelvin);

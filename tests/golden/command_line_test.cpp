@@ -43,7 +43,7 @@ protected:
 };
 
 TEST_F(CommandLine, every_command_has_help) {
-    for (const char* command : {"solve", "render", "plan", "study", "check", "validate", "photometry"}) {
+    for (const char* command : {"solve", "render", "describe", "plan", "study", "check", "validate", "photometry"}) {
         EXPECT_EQ(run({command, "--help"}), exit_done);
         EXPECT_NE(out_.find("Usage"), std::string::npos) << command;
     }
@@ -137,6 +137,23 @@ TEST_F(CommandLine, check_tells_what_is_to_be_said_of_the_photometries) {
     EXPECT_EQ(run({"check", project}), exit_answer_is_no);
     EXPECT_NE(err_.find("photometries[0]: warning: lamp: planes 0 and 360 differ"), std::string::npos) << err_;
     EXPECT_NE(err_.find("declares 1000 lm; its intensities integrate to 1257 lm"), std::string::npos) << err_;
+}
+
+TEST_F(CommandLine, render_names_pictures_by_a_template_and_describe_reads_what_they_say) {
+    const auto folder = scratch("named");
+    std::filesystem::create_directories(folder);
+    const auto render = [&](const std::string& name) {
+        return run({"render", rooms + "painted-room.hanei", "--view", "plan", "--part", "direct", "--size", "320x240",
+                    "--max-patch", "2", "--out", folder, "--name-template", name});
+    };
+    ASSERT_EQ(render("{project} {view} {part} {size}"), exit_done) << err_;
+    ASSERT_EQ(run({"describe", folder / "painted-room plan direct 320x240.png"}), exit_done) << err_;
+    EXPECT_EQ(out_.rfind("Title: A room with one red wall", 0), 0U) << out_;
+    EXPECT_NE(out_.find("Description: Illuminance in lx"), std::string::npos);
+    EXPECT_NE(out_.find("Creation Time: 20"), std::string::npos);
+    EXPECT_EQ(render("{colour}"), exit_bad_input);
+    EXPECT_NE(err_.find("{colour} means nothing"), std::string::npos);
+    EXPECT_EQ(run({"describe", rooms + "painted-room.hanei"}), exit_bad_input);
 }
 
 TEST_F(CommandLine, every_start_room_passes_its_check) {

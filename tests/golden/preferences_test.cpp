@@ -21,6 +21,7 @@ Preferences unusual() {
     wished.bottom_height = 120.25F;
     wished.recent = {"/rooms/b.hanei", "/rooms/a \"new\".hanei"};
     wished.autosave = 20.0;
+    wished.picture_name = "{part} {number}";
     wished.restores_layout = true;
     return wished;
 }

@@ -148,25 +148,6 @@ TEST(TheDesk, works_out_shadows_while_they_are_looked_at_and_follows_the_chosen_
     EXPECT_EQ(state(driver, "part"), "direct");
 }
 
-TEST(TheDesk, exports_an_annotated_and_a_plain_picture) {
-    const auto file = scratch("exported.png");
-    const auto plain = scratch("exported-plain.png");
-    std::filesystem::remove(file);
-    std::filesystem::remove(plain);
-    Driver driver(setup());
-    ASSERT_TRUE(driver.wait_settled());
-    EXPECT_DONE(driver.press("Ctrl+E"));
-    driver.type("exported.png");
-    EXPECT_DONE(driver.press("Enter"));
-    driver.frames(2);
-    for (const auto& each : {file, plain}) {
-        std::ifstream stream(each, std::ios::binary);
-        std::string start(8, '\0');
-        stream.read(start.data(), 8);
-        EXPECT_EQ(start, "\x89PNG\r\n\x1a\n") << each;
-    }
-}
-
 TEST(TheDesk, paints_an_exact_picture_while_the_room_is_edited_and_saves_it) {
     const auto file = scratch("exact.png");
     std::filesystem::remove(file);

@@ -100,11 +100,12 @@ wait_for "the answer to undo" settled
 echo "undone: the same figure to the last digit"
 
 xdotool key ctrl+e
-wait_for "the file browser" is browser true
+wait_for "the export dialog" grep -q '"export.accept"' "$state"
 xdotool key Return
-wait_for "the picture" test -s "$folder/room-plain.png"
-wait_for "the message" is message "Exported room.png and room-plain.png"
-echo "exported: $(stat -c '%n %s bytes' "$folder/room.png" | sed 's/.*\///')"
+picture="room view total $(date +%F).png"
+wait_for "the picture" test -s "$folder/$picture"
+wait_for "the message" is message "Exported $picture"
+echo "exported: $(stat -c '%s bytes' "$folder/$picture")"
 
 xdotool key ctrl+q
 wait_for "the end" ended

@@ -1,6 +1,7 @@
 #include "ui/panels/exact_panel.h"
 
 #include "engine/base/tiles.h"
+#include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
 #include <algorithm>
@@ -73,29 +74,12 @@ void ExactPanel::after_frame() {
 }
 
 void ExactPanel::draw(const ViewPainter& paint, const std::function<void()>& save, WidgetRegistry& widgets) {
-    if (busy()) draw_progress(widgets);
     if (shown_) draw_picture(paint, save, widgets);
 }
 
-void ExactPanel::draw_progress(WidgetRegistry& widgets) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float scale = style::scale();
-    ImGui::SetNextWindowPos({0.5F * screen.x, screen.y - 250.0F * scale}, ImGuiCond_Appearing, {0.5F, 1.0F});
-    ImGui::SetNextWindowSize({440.0F * scale, 0.0F});
-    const int plain = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
-    if (ImGui::Begin("Exact picture###exact progress", nullptr, plain)) {
-        const float fraction = progress_.fraction();
-        const std::string rest = left_.text(progress_.stage(), fraction);
-        const std::string text = fmt::format("{:.0f} %{}{}", 100.0F * fraction, rest.empty() ? "" : ", ", rest);
-        ImGui::ProgressBar(fraction, {300.0F * scale, 0.0F}, text.c_str());
-        widgets.note("exact.progress");
-        ImGui::SameLine();
-        const bool unwanted = panel_button("Cancel", "exact.cancel", widgets);
-        ImGui::End();
-        if (unwanted) cancel();
-        return;
-    }
-    ImGui::End();
+Task ExactPanel::task() {
+    const float fraction = progress_.fraction();
+    return {"exact", tr("Exact picture"), fraction, left_.text(progress_.stage(), fraction), [this] { cancel(); }};
 }
 
 void ExactPanel::draw_picture(const ViewPainter& paint, const std::function<void()>& save, WidgetRegistry& widgets) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/panels/exact_room.h"
+#include "ui/panels/task_bar.h"
 #include "ui/panels/time_left.h"
 #include "ui/panels/view_painter.h"
 #include "ui/panels/widget_registry.h"
@@ -31,14 +32,15 @@ public:
     std::string take_failure() { return std::exchange(shown_failure_, {}); }  ///< empty when nothing went wrong
     const Image* shown() const { return shown_ ? &*shown_ : nullptr; }
 
-    /// Draws the progress, or the picture; `save` is called when the user wants to keep it.
+    Task task();  ///< while it is busy
+
+    /// Draws the picture; `save` is called when the user wants to keep it.
     void draw(const ViewPainter& paint, const std::function<void()>& save, WidgetRegistry& widgets);
 
     /// Letters a picture that is done. Needs an OpenGL context.
     void after_frame();
 
 private:
-    void draw_progress(WidgetRegistry& widgets);
     void draw_picture(const ViewPainter& paint, const std::function<void()>& save, WidgetRegistry& widgets);
 
     std::function<void()> wake_;

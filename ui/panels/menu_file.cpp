@@ -23,11 +23,25 @@ constexpr std::array table{
     Command{export_picture,
             "file.export",
             "File",
-            "Export picture...",
-            "Write the view as two PNG files: with legend and caption, and plain",
+            "Export pictures...",
+            "Write the view, or parts of its light, as PNG files with legend and caption",
             control('E'),
             {},
             true},
+    Command{copy_picture, "file.copy_picture", "File", "Copy picture",
+            "The view with legend and caption to the clipboard", control('C', true)},
+    Command{export_values,
+            "file.export_values",
+            "File",
+            "Export values...",
+            "Every value of grids and points with its error, as CSV",
+            {}},
+    Command{toggle_recording,
+            "file.record",
+            "File",
+            "Record pictures",
+            "A numbered picture of every change of the view, from here until it is chosen again",
+            {}},
     Command{render_exact, "file.render_exact", "File", "Render exact picture...",
             "Paint the view with direct light exact at every pixel, in the background, to look at and to save",
             control('R')},
@@ -43,7 +57,10 @@ bool Workbench::can_file(CommandId id) const {
         case CommandId::recover_work:
             return static_cast<bool>(door_.user.recovery.lost);
         case CommandId::export_picture:
+        case CommandId::copy_picture:
             return study_.solution() != nullptr;
+        case CommandId::export_values:
+            return study_.answer() != nullptr;
         case CommandId::render_exact:
             return study_.fresh() && !viewport_.state.options.shadow_classes &&
                    has_part(*study_.solution(), viewport_.state.options.part);
@@ -67,7 +84,14 @@ void Workbench::do_file(CommandId id) {
             if (!recovery_.is_open()) message_ = "There is no unsaved work to recover";
             return;
         case CommandId::export_picture:
-            return ask_for_picture();
+            return export_dialog_.open(folder(), preferences_.picture_name);
+        case CommandId::copy_picture:
+            copies_ = true;
+            return;
+        case CommandId::export_values:
+            return ask_for_values();
+        case CommandId::toggle_recording:
+            return toggle_recording();
         case CommandId::render_exact:
             return exact_.start(study_.solution(), picture_request());
         case CommandId::quit:

@@ -175,7 +175,7 @@ PhotometryPanel::Outcome PhotometryPanel::draw(const Scene& scene, ObjectId id, 
         return outcome;
     }
     if (!hangs_together(*photometry)) {
-        ImGui::TextWrapped("The table of this photometry does not hang together: see Checks.");
+        ImGui::TextWrapped("The table of this photometry does not hang together: see Messages.");
         return outcome;
     }
     look_at(*photometry);

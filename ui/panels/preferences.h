@@ -23,7 +23,8 @@ struct Preferences {
     std::vector<std::filesystem::path> recent;                                ///< projects, the newest first
     double autosave = 60.0;       ///< s, 5 to 600: unsaved work is kept at least as often
     bool restores_layout = true;  ///< the panels' sizes are those of the last time
-    std::string unknown = {};     ///< fields of a newer program, as the text of a JSON object
+    std::string picture_name = "{project} {view} {part} {date}.png";  ///< template of exported files' names
+    std::string unknown = {};  ///< fields of a newer program, as the text of a JSON object
     bool operator==(const Preferences&) const = default;
 };
 

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace hanei {
@@ -17,6 +19,9 @@ struct ProjectDoor {
     /// Every luminaire of a file, each under the name a list of them shows; empty content when there is none.
     std::function<Opened<std::vector<Photometry>>(const std::filesystem::path&)> read_luminaires;
     UserDoor user = {};
+    std::function<std::string(const ProjectContent&)> text = {};  ///< as it would be saved
+    /// A PNG to the system's clipboard. Returns why not, or nothing.
+    std::function<std::optional<std::string>(std::string_view)> copy_picture = {};
 };
 
 }  // namespace hanei

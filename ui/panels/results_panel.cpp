@@ -183,25 +183,4 @@ void energy_table(const Solution& solution, bool measured) {
     ImGui::EndTable();
 }
 
-std::optional<ObjectId> findings_table(const Scene& scene, const Diagnostics& findings, WidgetRegistry& widgets) {
-    std::optional<ObjectId> clicked;
-    if (findings.empty() || !ImGui::BeginTable("findings", 2, table_look)) return clicked;
-    ImGui::TableSetupColumn("object", ImGuiTableColumnFlags_WidthStretch, 1.0F);
-    ImGui::TableSetupColumn("message", ImGuiTableColumnFlags_WidthStretch, 4.0F);
-    for (std::size_t k = 0; k < findings.size(); ++k) {
-        const Diagnostic& finding = findings[k];
-        const ObjectId object{finding.place.object};
-        const std::string name = object ? display_name(scene, object) : "Scene";
-        ImGui::PushID(static_cast<int>(k));
-        if (name_cell(name.empty() ? "Scene" : name, object, {}, widgets)) clicked = object;
-        ImGui::PopID();
-        ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, finding.severity == Severity::error ? style::warning : style::text);
-        ImGui::TextWrapped("%s", finding.message.c_str());
-        ImGui::PopStyleColor();
-    }
-    ImGui::EndTable();
-    return clicked;
-}
-
 }  // namespace hanei

@@ -18,7 +18,4 @@ void effects_table(const EffectsPlan& plan, bool measured);
 /// Where the luminous flux went, and how the answer was reached.
 void energy_table(const Solution& solution, bool measured);
 
-/// What check_scene found. Returns the object of a finding that was clicked.
-std::optional<ObjectId> findings_table(const Scene& scene, const Diagnostics& findings, WidgetRegistry& widgets);
-
 }  // namespace hanei

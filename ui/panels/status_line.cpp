@@ -1,4 +1,6 @@
 #include "engine/edit/several.h"
+#include "ui/panels/form.h"
+#include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/probe.h"
 #include "ui/panels/style.h"
@@ -86,10 +88,27 @@ void Workbench::status_line(const ScreenRect& area) {
                              place->y, place->z);
     }
     right += snaps_ ? "     Snap 0.1 m" : "     Free";
-    const float width = ImGui::CalcTextSize(right.c_str()).x;
+    const std::optional<Task> task = running_task();
+    const std::string errors = messages_.unread_errors() == 0 ? std::string()
+                               : messages_.unread_errors() == 1
+                                   ? fmt::format("■ {}", tr("1 error"))
+                                   : fmt::format(fmt::runtime(tr("■ {} errors")), messages_.unread_errors());
+    if (task) right.clear();
+    float width = task ? task_bar_width * style::scale() : ImGui::CalcTextSize(right.c_str()).x;
+    if (!errors.empty()) width += ImGui::CalcTextSize(errors.c_str()).x + 24.0F * style::scale();
     ImGui::SameLine(
         std::max(ImGui::GetItemRectMax().x + 24.0F, area.right - area.left - width - 14.0F * style::scale()));
-    ImGui::TextColored(style::colour(style::quiet_text), "%s", right.c_str());
+    if (!errors.empty()) {
+        ImGui::TextColored(style::colour(style::warning), "%s", errors.c_str());
+        widgets_.note("status.errors");
+        if (ImGui::IsItemClicked()) opens_messages_ = true;
+        tooltip("Click for the list of what went wrong");
+        ImGui::SameLine(0.0F, 24.0F * style::scale());
+    }
+    if (task)
+        task_bar(*task, widgets_);
+    else
+        ImGui::TextColored(style::colour(style::quiet_text), "%s", right.c_str());
     end_panel();
 }
 

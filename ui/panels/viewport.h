@@ -22,7 +22,7 @@ struct ViewState {
     Camera camera;        ///< of the active picture
     ViewOptions options;  ///< of all pictures, the part of the light of the active one
     PaneSet panes;
-    bool photometric_body = false;  ///< of the chosen luminaire, as wire
+    bool photometric_body = false;              ///< of the chosen luminaire, as wire
     bool fit_asked = false;                     ///< of the scale, to the values
     bool keep_asked = false;                    ///< of the scale, with the project
     bool automatic_asked = false;               ///< of the scale: no longer kept with the project

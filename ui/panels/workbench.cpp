@@ -57,7 +57,8 @@ void Workbench::settle() {
 }
 
 void Workbench::follow_study() {
-    const bool unshadowed = viewport_.state.panes.shows(LightPart::unshadowed, viewport_.state.options.part);
+    const bool unshadowed =
+        viewport_.state.panes.shows(LightPart::unshadowed, viewport_.state.options.part) || export_.wants_unshadowed();
     const bool shadows = viewport_.state.options.shadow_classes || viewport_.state.options.shadow_outlines;
     study_.follow({document_.shown(), document_.settings(), unshadowed, document_.in_gesture(), shadows});
     follow_scale();
@@ -99,6 +100,7 @@ void Workbench::draw(const ViewPainter& paint) {
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
     preferences_dialog_.draw(preferences_, form_);
+    draw_export();
     follow_recovery();
     keep_preferences();
 }

@@ -7,17 +7,19 @@
 #include "ui/panels/dialogs.h"
 #include "ui/panels/document.h"
 #include "ui/panels/exact_panel.h"
+#include "ui/panels/export_dialog.h"
 #include "ui/panels/file_browser.h"
 #include "ui/panels/file_stamp.h"
 #include "ui/panels/form.h"
+#include "ui/panels/frame_recording.h"
 #include "ui/panels/live_study.h"
+#include "ui/panels/messages_panel.h"
 #include "ui/panels/object_tree.h"
-#include "ui/panels/messages.h"
 #include "ui/panels/photometry_panel.h"
 #include "ui/panels/preferences.h"
-#include "ui/panels/readings.h"
 #include "ui/panels/preferences_dialog.h"
 #include "ui/panels/preferences_keeper.h"
+#include "ui/panels/readings.h"
 #include "ui/panels/recent_menu.h"
 #include "ui/panels/recovery_dialog.h"
 #include "ui/panels/selection.h"
@@ -146,10 +148,17 @@ private:
     void ask_which(const std::filesystem::path& file, std::vector<Photometry> found);
     void finish_arrival();
     double raster() const { return snaps_ ? 0.1 : 0.0; }  ///< m
-    void ask_for_picture();
+    void draw_export();
+    void ask_for_values();
+    void copy_picture();
+    void toggle_recording();
+    void record_frame();
     void save_exact();
-    PictureRequest picture_request() const;    ///< of the view as it is, annotated
-    void guarded(std::function<void()> then);  ///< asks about unsaved changes first
+    std::string project_hash() const;
+    std::optional<Task> running_task();
+    void tell(const std::string& source, const Diagnostic& finding);  ///< in the list, and in front
+    PictureRequest picture_request() const;                           ///< of the view as it is, annotated
+    void guarded(std::function<void()> then);                         ///< asks about unsaved changes first
     std::filesystem::path folder() const;
 
     Options how_;
@@ -173,7 +182,6 @@ private:
     bool shows_overview_ = true;  ///< once the view has a size
     unsigned gesture_item_ = 0;   ///< the ImGui item whose gesture the working copy belongs to
     std::string message_;
-    std::filesystem::path picture_;  ///< to be written after this frame
     long frames_ = 0;
     Preferences preferences_;
     Readings readings_{viewport_.state};
@@ -181,6 +189,15 @@ private:
     PreferencesDialog preferences_dialog_;
     RecentMenu recent_menu_;
     Messages messages_;
+    MessagesPanel messages_panel_;
+    bool opens_messages_ = false;  ///< with the next frame
+    ExportDialog export_dialog_;
+    PictureExport export_;
+    bool copies_ = false;  ///< the picture, after this frame
+    FrameRecording recording_;
+    SceneSnapshot recorded_scene_;
+    SolutionSnapshot recorded_solution_;
+    TimeLeft study_left_;
     RecoveryDialog recovery_;
     FileStamp stamp_;  ///< of the project's file, as it was read or written here
     Autosave autosave_;

@@ -3,6 +3,7 @@
 #include "ui/panels/workbench.h"
 
 #include <imgui.h>
+#include <utility>
 
 namespace hanei {
 
@@ -31,10 +32,10 @@ void Workbench::bottom(const ScreenRect& area) {
             if (solution) energy_table(*solution, measured);
             ImGui::EndTabItem();
         }
-        const std::size_t found = study_.findings().size();
-        if (begin_tab("Checks", widgets_, found)) {
-            if (found == 0) ImGui::TextDisabled("Nothing is wrong with the scene.");
-            if (const auto clicked = findings_table(*document_.shown(), study_.findings(), widgets_))
+        const std::size_t found = study_.findings().size() + messages_.entries().size();
+        if (begin_tab("Messages", widgets_, found, std::exchange(opens_messages_, false))) {
+            if (const auto clicked =
+                    messages_panel_.draw(*document_.shown(), study_.findings(), messages_, measured, widgets_))
                 selection_.choose(*clicked);
             ImGui::EndTabItem();
         }

@@ -1,9 +1,6 @@
 #include "engine/edit/edit.h"
 #include "engine/scene/faces.h"
 #include "ui/panels/workbench.h"
-#include "ui/view/offscreen.h"
-
-#include <stdexcept>
 
 namespace hanei {
 
@@ -100,54 +97,6 @@ void Workbench::ask_where_else(const std::filesystem::path& file, const Diagnost
                             if (k == 0) return save(true, then);
                             write(file, then);
                         });
-}
-
-void Workbench::ask_for_picture() {
-    browser_.open({"Export the picture", "Export", {".png"}, true, folder(), document_.title() + ".png"},
-                  [this](const std::filesystem::path& file) { picture_ = file; });
-}
-
-PictureRequest Workbench::picture_request() const {
-    const PixelSize size{1600, static_cast<int>(1600.0 / viewport_.aspect())};
-    PictureRequest request{viewport_.state.camera, viewport_.state.options, size, true, {}};
-    request.options.shadows_of = selection_.primary();
-    return request;
-}
-
-void Workbench::save_exact() {
-    const auto picture = std::make_shared<const Image>(*exact_.shown());
-    browser_.open({"Save the exact picture", "Save", {".png"}, true, folder(), document_.title() + " exact.png"},
-                  [this, picture](const std::filesystem::path& file) {
-                      try {
-                          write_png(*picture, file);
-                          message_ = "Saved " + file.filename().string();
-                      } catch (const std::runtime_error& fault) {
-                          dialogs_.show_findings("The picture was not written", {{Severity::error, {}, fault.what()}});
-                      }
-                  });
-}
-
-void Workbench::after_frame() {
-    exact_.after_frame();
-    if (const std::string fault = exact_.take_failure(); !fault.empty())
-        dialogs_.show_findings("The exact picture was not finished", {{Severity::error, {}, fault}});
-    if (picture_.empty()) return;
-    const std::filesystem::path file = std::exchange(picture_, {});
-    std::filesystem::path plain = file;
-    plain.replace_filename(file.stem().string() + "-plain.png");
-    PictureRequest request = picture_request();
-    try {
-        const bool four = viewport_.state.panes.shows_parts();
-        const auto picture = [&] {
-            return four ? render_four_up(study_.solution(), request) : render_picture(study_.solution(), request);
-        };
-        write_png(picture(), file);
-        request.annotated = false;
-        write_png(picture(), plain);
-        message_ = "Exported " + file.filename().string() + " and " + plain.filename().string();
-    } catch (const std::runtime_error& fault) {
-        dialogs_.show_findings("The picture was not written", {{Severity::error, {}, fault.what()}});
-    }
 }
 
 }  // namespace hanei

@@ -106,6 +106,7 @@ void Workbench::ask_which(const std::filesystem::path& file, std::vector<Photome
 void Workbench::finish_arrival() {
     Arrival arrival = std::exchange(arrival_, {});
     if (!arrival.faults.empty()) {
+        messages_.note("Luminaire file", arrival.faults);
         message_ =
             arrival.faults.front().place.file.empty()
                 ? "A file cannot be used"

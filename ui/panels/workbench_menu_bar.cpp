@@ -36,6 +36,7 @@ void Workbench::menu_bar() {
             (entry.id == CommandId::show_a && readings_.snapshots.show == Snapshots::Show::a) ||
             (entry.id == CommandId::show_difference && readings_.snapshots.show == Snapshots::Show::difference) ||
             (entry.id == CommandId::toggle_values && viewport_.state.options.values) ||
+            (entry.id == CommandId::toggle_recording && recording_.is_on()) ||
             (entry.id == CommandId::toggle_isolux && viewport_.state.options.isolux) ||
             (entry.id == CommandId::switch_theme && preferences_.theme == Theme::light) ||
             (entry.id == CommandId::switch_language && preferences_.language == Language::japanese) ||

@@ -44,7 +44,12 @@ bool encode(png_structp png, png_infop info, const Image& image, const std::vect
     return true;
 }
 
-std::vector<char> encoded(const Image& image, const std::vector<std::pair<std::string, std::string>>& text) {
+}  // namespace
+
+std::string png_bytes(const Image& image, const std::vector<std::pair<std::string, std::string>>& text) {
+    HANEI_CHECK(image.width > 0 && image.height > 0);
+    HANEI_CHECK(image.rgba.size() ==
+                static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
     const std::vector<png_text> chunks = chunks_of(text);
     std::vector<png_bytep> rows;
     for (int y = 0; y < image.height; ++y) {
@@ -57,18 +62,12 @@ std::vector<char> encoded(const Image& image, const std::vector<std::pair<std::s
     const bool done = info != nullptr && encode(png, info, image, rows, chunks, bytes);
     png_destroy_write_struct(&png, &info);
     if (!done) throw std::runtime_error("libpng could not encode the picture");
-    return bytes;
+    return {bytes.data(), bytes.size()};
 }
-
-}  // namespace
 
 void write_png(const Image& image, const std::filesystem::path& file,
                const std::vector<std::pair<std::string, std::string>>& text) {
-    HANEI_CHECK(image.width > 0 && image.height > 0);
-    HANEI_CHECK(image.rgba.size() ==
-                static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
-    const std::vector<char> bytes = encoded(image, text);
-    if (const auto reason = write_whole_file(file, {bytes.data(), bytes.size()}))
+    if (const auto reason = write_whole_file(file, png_bytes(image, text)))
         throw std::runtime_error(file.string() + ": " + *reason);
 }
 

@@ -15,6 +15,9 @@ struct Image {
     std::vector<std::uint8_t> rgba;
 };
 
+/// The same as a file's bytes.
+std::string png_bytes(const Image& image, const std::vector<std::pair<std::string, std::string>>& text = {});
+
 /// Text chunks travel with the PNG (Title, Software, Comment, ...): nothing that changes from run
 /// to run is added by itself. Written beside its target and renamed; throws std::runtime_error
 /// naming the file when the disk refuses.

@@ -37,6 +37,7 @@ struct PictureRequest {
     std::string caption;  ///< empty: title, part, settings and error of the solution
     /// The room in this camera and with these options, of view_size; null: as the window shows it.
     std::shared_ptr<const ExactPicture> exact = nullptr;
+    bool has_legend = true, has_caption = true;  ///< of an annotated picture
 };
 
 /// Part of the picture that shows the room; the rest is legend and caption. Fit cameras to its

@@ -27,7 +27,8 @@ Page page_of(const PictureRequest& request) {
     Page page;
     page.scale = std::clamp(request.size.height / 800.0, 0.75, 6.0);
     if (!request.annotated) return page;
-    page.caption = static_cast<int>(std::lround(54.0 * page.scale));
+    if (request.has_caption) page.caption = static_cast<int>(std::lround(54.0 * page.scale));
+    if (!request.has_legend) return page;
     if (request.options.shadow_classes) {
         page.legend = class_legend_width(page.scale);
     } else if (request.options.scale == Scale::false_colour)
@@ -101,7 +102,7 @@ void letter_page(Canvas& canvas, const Solution& solution, const PictureRequest&
                                  : legend_image(request.options, height, page.scale, part);
         canvas.picture(legend, request.size.width - page.legend, 0);
     }
-    letter_caption(canvas, solution, request, page, part);
+    if (page.caption > 0) letter_caption(canvas, solution, request, page, part);
 }
 
 struct Panel {

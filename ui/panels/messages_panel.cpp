@@ -1,0 +1,143 @@
+#include "ui/panels/messages_panel.h"
+
+#include "engine/edit/edit.h"
+#include "ui/panels/form.h"
+#include "ui/panels/language.h"
+#include "ui/panels/style.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <ctime>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+namespace hanei {
+namespace {
+
+std::string time_text(std::chrono::system_clock::time_point when) {
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(when);
+    std::tm local{};
+    localtime_r(&seconds, &local);
+    return fmt::format("{:%H:%M:%S}", local);
+}
+
+/// A sign and a word, so that nobody has to tell by colour alone.
+std::string severity_text(Severity severity) {
+    switch (severity) {
+        case Severity::error:
+            return fmt::format("■ {}", tr("Error"));
+        case Severity::warning:
+            return fmt::format("▲ {}", tr("Warning"));
+        case Severity::note:
+            return fmt::format("● {}", tr("Note"));
+    }
+    return {};
+}
+
+ImU32 colour_of(Severity severity) {
+    const ImU32 loud = style::warning, plain = style::text, quiet = style::quiet_text;
+    return severity == Severity::error ? loud : severity == Severity::warning ? plain : quiet;
+}
+
+bool holds(const std::string& text, const std::string& words) {
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    return std::search(text.begin(), text.end(), words.begin(), words.end(), same) != text.end();
+}
+
+}  // namespace
+
+std::vector<MessagesPanel::Row> MessagesPanel::rows(const Diagnostics& checks, const Messages& messages,
+                                                    bool timed) const {
+    std::vector<Row> rows;
+    const auto add = [&](Row row) {
+        if (static_cast<int>(row.finding.severity) < least_) return;
+        if (words_.empty() || holds(row.source + ' ' + to_text(row.finding), words_)) rows.push_back(std::move(row));
+    };
+    for (const Diagnostic& finding : checks) add({tr("now"), "Scene", finding, 1});
+    const auto& entries = messages.entries();
+    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
+        add({timed ? time_text(entry->when) : std::string(), entry->source, entry->finding, entry->count});
+    return rows;
+}
+
+void MessagesPanel::tools(const std::vector<Row>& shown, Messages& messages, WidgetRegistry& widgets) {
+    const std::array names{tr("All"), tr("Warnings and errors"), tr("Errors")};
+    ImGui::SetNextItemWidth(170.0F * style::scale());
+    ImGui::Combo("##least", &least_, names.data(), static_cast<int>(names.size()));
+    widgets.note("messages.least");
+    tooltip("How bad a message must be to be listed");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(170.0F * style::scale());
+    ImGui::InputTextWithHint("##words", tr("Search"), &words_);
+    widgets.note("messages.words");
+    tooltip("Only messages that hold these words");
+    ImGui::SameLine();
+    if (ImGui::Button(tr("Copy"))) {
+        std::string text;
+        for (const Row& row : shown) text += fmt::format("{}\t{}\t{}\n", row.time, row.source, to_text(row.finding));
+        ImGui::SetClipboardText(text.c_str());
+    }
+    widgets.note("messages.copy");
+    tooltip("The listed messages as text to the clipboard");
+    ImGui::SameLine();
+    if (ImGui::Button(tr("Clear"))) messages.clear();
+    widgets.note("messages.clear");
+    tooltip("Forget what happened; what is wrong with the scene stays until it is mended");
+}
+
+std::optional<ObjectId> MessagesPanel::draw(const Scene& scene, const Diagnostics& checks, Messages& messages,
+                                            bool timed, WidgetRegistry& widgets) {
+    messages.mark_read();
+    const std::vector<Row> shown = rows(checks, messages, timed);
+    tools(shown, messages, widgets);
+    std::optional<ObjectId> clicked;
+    if (shown.empty()) {
+        const bool none = checks.empty() && messages.entries().empty();
+        ImGui::TextDisabled("%s",
+                            none ? tr("Nothing is wrong, and nothing went wrong.") : tr("No message is of this kind."));
+        return clicked;
+    }
+    constexpr int look = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH |
+                         ImGuiTableFlags_SizingStretchProp;
+    if (!ImGui::BeginTable("messages", 5, look)) return clicked;
+    ImGui::TableSetupColumn("severity", 0, 1.1F);
+    ImGui::TableSetupColumn("time", 0, 0.9F);
+    ImGui::TableSetupColumn("source", 0, 1.0F);
+    ImGui::TableSetupColumn("object", 0, 1.4F);
+    ImGui::TableSetupColumn("message", 0, 6.0F);
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+        const Diagnostic& finding = shown[k].finding;
+        const ObjectId object{finding.place.object};
+        const bool exists = kind_of(scene, object) != ObjectKind::none;
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, colour_of(finding.severity));
+        if (ImGui::Selectable(fmt::format("{}##{}", severity_text(finding.severity), k).c_str(), false,
+                              ImGuiSelectableFlags_SpanAllColumns) &&
+            exists)
+            clicked = object;
+        ImGui::PopStyleColor();
+        widgets.note(fmt::format("message.{}", k + 1));
+        if (exists) tooltip("Click to select the object");
+        for (const std::string& text :
+             {shown[k].time, shown[k].source, exists ? display_name(scene, object) : std::string()}) {
+            ImGui::TableNextColumn();
+            ImGui::TextDisabled("%s", text.c_str());
+        }
+        ImGui::TableNextColumn();
+        Diagnostic plain = finding;
+        plain.severity = Severity::note;  // the sign says it
+        std::string text = to_text(plain);
+        if (shown[k].count > 1) text += fmt::format("  ({} times)", shown[k].count);
+        ImGui::TextWrapped("%s", text.c_str());
+    }
+    ImGui::EndTable();
+    return clicked;
+}
+
+}  // namespace hanei

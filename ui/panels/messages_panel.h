@@ -1,0 +1,33 @@
+/// Everything that is wrong or was, in one list.
+#pragma once
+
+#include "engine/scene/scene.h"
+#include "ui/panels/messages.h"
+#include "ui/panels/widget_registry.h"
+
+#include <optional>
+
+namespace hanei {
+
+/// First what is wrong with the scene as it is, then what happened, the newest first.
+class MessagesPanel {
+public:
+    /// `timed` shows when each came; pictures that shall repeat leave it out.
+    /// Returns the object of a message that was clicked.
+    std::optional<ObjectId> draw(const Scene& scene, const Diagnostics& checks, Messages& messages, bool timed,
+                                 WidgetRegistry& widgets);
+
+private:
+    struct Row {
+        std::string time, source;
+        Diagnostic finding;
+        int count = 1;
+    };
+    std::vector<Row> rows(const Diagnostics& checks, const Messages& messages, bool timed) const;
+    void tools(const std::vector<Row>& shown, Messages& messages, WidgetRegistry& widgets);
+
+    int least_ = 0;  ///< 0 all, 1 warnings and errors, 2 errors
+    std::string words_;
+};
+
+}  // namespace hanei

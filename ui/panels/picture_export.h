@@ -1,0 +1,51 @@
+/// Pictures on their way to files, one a frame, so that the window stays alive and can stop them.
+#pragma once
+
+#include "engine/base/diagnostic.h"
+#include "ui/panels/task_bar.h"
+#include "ui/view/offscreen.h"
+
+#include <deque>
+#include <functional>
+#include <optional>
+
+namespace hanei {
+
+struct PictureJob {
+    std::filesystem::path file;
+    LightPart part = LightPart::total;
+    bool four = false;  ///< all four parts in one picture
+    PixelSize size;
+    bool has_legend = true, has_caption = true;
+};
+
+class PictureExport {
+public:
+    void start(std::vector<PictureJob> jobs);
+    void cancel() { jobs_.clear(); }
+    bool busy() const { return !jobs_.empty(); }
+
+    /// Whether a picture waits for the part that is only computed on request.
+    bool wants_unshadowed() const;
+    Task task();
+
+    struct Outcome {
+        std::string message;              ///< what was exported, when the last picture is done
+        std::optional<Diagnostic> fault;  ///< why it ended early
+    };
+    /// After a frame was painted: draws and writes the next picture, once the solution is whole. `base` is the
+    /// picture as the window shows it.
+    /// Needs     an OpenGL context.
+    Outcome step(const SolutionSnapshot& solution, bool is_fresh, const PictureRequest& base,
+                 const std::function<std::string()>& project_hash);
+
+private:
+    void write(const SolutionSnapshot& solution, PictureRequest request, const PictureJob& job,
+               const std::string& hash) const;
+
+    std::deque<PictureJob> jobs_;
+    std::size_t total_ = 0, written_ = 0;
+    std::string last_;
+};
+
+}  // namespace hanei

@@ -1,0 +1,161 @@
+#include "engine/base/whole_file.h"
+#include "engine/report/report.h"
+#include "ui/panels/workbench.h"
+#include "ui/view/picture_text.h"
+#include "ui/view/screen_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <stdexcept>
+
+namespace hanei {
+namespace {
+
+/// The saved view that is looked through, as a file name calls it.
+std::string name_of_view(const Scene& scene, const Camera& camera) {
+    for (std::size_t k = 0; k < scene.views.size(); ++k) {
+        if (camera_of(scene.views[k]) != camera) continue;
+        return scene.views[k].name.empty() ? fmt::format("view {}", k + 1) : scene.views[k].name;
+    }
+    return "view";
+}
+
+}  // namespace
+
+PictureRequest Workbench::picture_request() const {
+    const PixelSize size{1600, static_cast<int>(1600.0 / viewport_.aspect())};
+    PictureRequest request{viewport_.state.camera, viewport_.state.options, size, true, {}};
+    request.options.shadows_of = selection_.primary();
+    return request;
+}
+
+void Workbench::draw_export() {
+    if (!export_dialog_.is_open()) return;
+    ExportDialog::Context context{document_.title(),
+                                  name_of_view(*document_.shown(), viewport_.state.camera),
+                                  viewport_.state.options.part,
+                                  viewport_.state.four_up,
+                                  {}};
+    if (const ScreenRect* view = widgets_.find("view"))
+        context.view_size = {static_cast<int>(view->right - view->left), static_cast<int>(view->bottom - view->top)};
+    if (auto jobs = export_dialog_.draw(context, form_)) {
+        preferences_.picture_name = export_dialog_.name_template();
+        export_.start(std::move(*jobs));
+    }
+}
+
+std::string Workbench::project_hash() const {
+    if (!door_.text) return {};
+    return short_hash(door_.text(document_.content()));
+}
+
+void Workbench::copy_picture() {
+    const Diagnostic unknown{Severity::error, {}, "pictures cannot be copied from here: export them instead"};
+    if (!door_.copy_picture) return tell("Export", unknown);
+    try {
+        const PictureRequest request = picture_request();
+        const Image image = render_picture(study_.solution(), request);
+        const std::string png = png_bytes(
+            image, picture_text(*study_.solution(), request.options, project_hash(), std::chrono::system_clock::now()));
+        if (const auto reason = door_.copy_picture(png)) return tell("Export", {Severity::error, {}, *reason});
+        message_ = "Copied the picture";
+    } catch (const std::runtime_error& fault) {
+        tell("Export", {Severity::error, {}, fault.what()});
+    }
+}
+
+void Workbench::tell(const std::string& source, const Diagnostic& finding) {
+    messages_.note(source, finding);
+    dialogs_.show_findings("That did not work", {finding});
+}
+
+void Workbench::ask_for_values() {
+    browser_.open(
+        {"Export the values of grids and points", "Export", {".csv"}, true, folder(), document_.title() + ".csv"},
+        [this, solution = study_.answer()](const std::filesystem::path& file) {
+            if (const auto reason = write_whole_file(file, values_csv(*solution)))
+                return tell("Export", {Severity::error, {}, file.string() + ": " + *reason});
+            message_ = "Exported " + file.filename().string();
+        });
+}
+
+void Workbench::toggle_recording() {
+    if (recording_.is_on()) {
+        recording_.stop();
+        message_ = fmt::format("Recorded {} pictures in {}", recording_.taken(), recording_.folder().string());
+    } else {
+        std::error_code failure;
+        recording_.start(folder().empty() ? std::filesystem::current_path(failure) : folder(), document_.title());
+        recorded_scene_.reset();
+        recorded_solution_.reset();
+        message_ = "Recording: drag something, or let it compute";
+    }
+}
+
+/// A picture whenever what is shown is another than before, and of every frame in which the view moves.
+void Workbench::record_frame() {
+    if (!recording_.is_on()) return;
+    if (const std::string fault = recording_.take_fault(); !fault.empty()) {
+        recording_.stop();
+        return tell("Recording", {Severity::error, {}, fault});
+    }
+    const bool same = recorded_scene_ == document_.shown() && recorded_solution_ == study_.solution();
+    const ScreenRect* view = widgets_.find("view");
+    if ((same && !viewport_.moving()) || view == nullptr) return;
+    recorded_scene_ = document_.shown();
+    recorded_solution_ = study_.solution();
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const auto whole = [](float pixels) { return static_cast<int>(std::lround(pixels)); };
+    Image picture = picture_of_screen({whole(screen.x), whole(screen.y)}, whole(view->left), whole(view->top),
+                                      {whole(view->right - view->left), whole(view->bottom - view->top)});
+    recording_.take(std::move(picture), document_.in_gesture() ? "while it is changed"
+                                        : study_.fresh()       ? fmt::format("complete, iteration error <= {:.2g} lx",
+                                                                             study_.solution()->iteration_bound)
+                                                               : std::string(name_of(study_.progress().stage())));
+}
+
+void Workbench::after_frame() {
+    exact_.after_frame();
+    if (const std::string fault = exact_.take_failure(); !fault.empty()) tell("Export", {Severity::error, {}, fault});
+    record_frame();
+    if (copies_) copy_picture();
+    copies_ = false;
+    if (!export_.busy()) return;
+    const PictureExport::Outcome outcome =
+        export_.step(study_.solution(), study_.fresh(), picture_request(), [this] { return project_hash(); });
+    if (outcome.fault) tell("Export", *outcome.fault);
+    if (!outcome.message.empty()) message_ = outcome.message;
+}
+
+void Workbench::save_exact() {
+    const auto picture = std::make_shared<const Image>(*exact_.shown());
+    const auto text =
+        picture_text(*study_.solution(), viewport_.state.options, project_hash(), std::chrono::system_clock::now());
+    browser_.open({"Save the exact picture", "Save", {".png"}, true, folder(), document_.title() + " exact.png"},
+                  [this, picture, text](const std::filesystem::path& file) {
+                      try {
+                          write_png(*picture, file, text);
+                          message_ = "Saved " + file.filename().string();
+                      } catch (const std::runtime_error& fault) {
+                          tell("Export", {Severity::error, {}, fault.what()});
+                      }
+                  });
+}
+
+std::optional<Task> Workbench::running_task() {
+    if (export_.busy()) return export_.task();
+    if (exact_.busy()) return exact_.task();
+    if (recording_.is_on())
+        return Task{"recording", fmt::format("Recording, {} pictures", recording_.taken()), 0.0F, {}, [this] {
+                        toggle_recording();
+                    }};
+    if (!study_.is_cancellable()) return std::nullopt;
+    const float fraction = study_.progress().fraction();
+    const Stage stage = study_.progress().stage();
+    return Task{"study", std::string(name_of(stage)), fraction,
+                how_.repeatable ? std::string() : study_left_.text(stage, fraction), [this] { study_.cancel(); }};
+}
+
+}  // namespace hanei
