@@ -40,7 +40,10 @@ PictureExport::Outcome PictureExport::step(const SolutionSnapshot& solution, boo
         last_ = job.file.filename().string();
     } catch (const std::runtime_error& fault) {
         jobs_.clear();
-        return {{}, Diagnostic{Severity::error, {}, fault.what()}};
+        Outcome failed;
+        failed.fault.emplace();
+        failed.fault->message = fault.what();
+        return failed;
     }
     if (!jobs_.empty()) return {};
     return {written_ == 1 ? fmt::format("Exported {}", last_) : fmt::format("Exported {} pictures", written_), {}};

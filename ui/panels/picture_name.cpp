@@ -59,7 +59,7 @@ PictureName picture_name(std::string_view name_template, const NameParts& parts)
         at = end + 1;
     }
     std::string name = clean(text);
-    if (name.size() > 4 && name.compare(name.size() - 4, 4, ".png") == 0) name.resize(name.size() - 4);
+    if (name.size() >= 4 && name.compare(name.size() - 4, 4, ".png") == 0) name.resize(name.size() - 4);
     name = clean(name);
     if (name.find_first_not_of(". ") == std::string::npos) return {{}, "the name is empty"};
     if (name.size() > longest) return {{}, fmt::format("the name has {} bytes, allowed are {}", name.size(), longest)};

@@ -25,11 +25,12 @@ struct CurveLook {
     ImU32 colour;
     bool dashed;
 };
-const std::array curves{
-    CurveLook{"Total", [](const PointValue& value) { return value.total().value; }, style::accent, false},
-    CurveLook{"Direct", [](const PointValue& value) { return value.direct.value; }, second_plane_ink, false},
-    CurveLook{"Interreflected", [](const PointValue& value) { return value.interreflected.value; },
-              IM_COL32(0x7F, 0xC8, 0x8B, 0xFF), true}};
+std::array<CurveLook, 3> curve_looks() {
+    return {CurveLook{"Total", [](const PointValue& value) { return value.total().value; }, style::accent, false},
+            CurveLook{"Direct", [](const PointValue& value) { return value.direct.value; }, style::second, false},
+            CurveLook{"Interreflected", [](const PointValue& value) { return value.interreflected.value; }, style::good,
+                      true}};
+}
 
 /// Three typed figures in a row.
 bool place_fields(const char* label, const char* name, Vec3& place, const char* help, WidgetRegistry& widgets) {
@@ -74,6 +75,7 @@ void draw_key(const PlotFrame& frame) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImFont* font = style::fonts().small;
     float x = frame.high().x;
+    const auto curves = curve_looks();
     for (auto look = curves.rbegin(); look != curves.rend(); ++look) {
         const char* const text = tr(look->name);
         const float width = font->CalcTextSizeA(font->FontSize, 1e4F, 0.0F, text).x;
@@ -125,6 +127,7 @@ void ProfilePanel::plot(WidgetRegistry& widgets) {
     const PlotFrame frame("profile.plot", std::move(across), std::move(up), ImGui::GetContentRegionAvail().y, widgets);
     pointed_ = frame.pointed();
     if (!frame.has_room()) return;
+    const auto curves = curve_looks();
     for (auto look = curves.rbegin(); look != curves.rend(); ++look) draw_curve(frame, samples, *look, unit);
     draw_key(frame);
     const ProfileSample* const sample = pointed_ ? nearest_to(samples, *pointed_) : nullptr;
@@ -136,7 +139,7 @@ void ProfilePanel::plot(WidgetRegistry& widgets) {
     if (sample->value.inside_solid) {
         lines.emplace_back(tr("inside furniture"));
     } else {
-        for (const CurveLook& look : curves) {
+        for (const CurveLook& look : curve_looks()) {
             const double lux = look.value(sample->value);
             list.AddCircleFilled(frame.at(sample->along, lux / unit), 3.5F * style::scale(), look.colour);
             lines.push_back(fmt::format("{}  {}", tr(look.name), illuminance_text(lux)));

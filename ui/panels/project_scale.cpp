@@ -8,7 +8,7 @@
 
 namespace hanei {
 
-void ProjectScale::follow(ViewOptions& options, const Scene& scene, const Solution* solution) {
+void ProjectScale::follow(ViewOptions& look, const Scene& scene, const Solution* solution) {
     if (!is_fitted_ && solution != nullptr && solution->complete) {
         range_ = suggested_range(*solution);
         is_fitted_ = true;
@@ -16,12 +16,12 @@ void ProjectScale::follow(ViewOptions& options, const Scene& scene, const Soluti
     ColourScale fitted;
     fitted.low = range_.low;
     fitted.high = range_.high;
-    take_scale(options, scene.colour_scale.value_or(fitted));
-    followed_ = scale_of(options);
+    take_scale(look, scene.colour_scale.value_or(fitted));
+    followed_ = scale_of(look);
 }
 
-std::optional<Scene> ProjectScale::wished(const Scene& scene, const ViewOptions& options) const {
-    ColourScale shown = scale_of(options);
+std::optional<Scene> ProjectScale::wished(const Scene& scene, const ViewOptions& look) const {
+    ColourScale shown = scale_of(look);
     if (shown == followed_) return std::nullopt;
     if (scene.colour_scale) shown.unknown = scene.colour_scale->unknown;
     Scene wished = scene;

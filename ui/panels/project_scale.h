@@ -11,10 +11,10 @@ class ProjectScale {
 public:
     /// Before panels are drawn: the scale as the scene says. Without one the range is that of the first
     /// complete solution, or of the one last fitted to.
-    void follow(ViewOptions& options, const Scene& scene, const Solution* solution);
+    void follow(ViewOptions& look, const Scene& scene, const Solution* solution);
 
     /// After panels were drawn: the scene with what they made of the scale, when they did.
-    std::optional<Scene> wished(const Scene& scene, const ViewOptions& options) const;
+    std::optional<Scene> wished(const Scene& scene, const ViewOptions& look) const;
 
     /// Fits to the solution: the scene with its own scale fitted; nothing when it has none, then the
     /// pictures follow by themselves.

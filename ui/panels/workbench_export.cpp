@@ -36,7 +36,7 @@ void Workbench::draw_export() {
     ExportDialog::Context context{document_.title(),
                                   name_of_view(*document_.shown(), viewport_.state.camera),
                                   viewport_.state.options.part,
-                                  viewport_.state.four_up,
+                                  viewport_.state.panes.shows_parts(),
                                   {}};
     if (const ScreenRect* view = widgets_.find("view"))
         context.view_size = {static_cast<int>(view->right - view->left), static_cast<int>(view->bottom - view->top)};

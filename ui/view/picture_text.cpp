@@ -14,13 +14,13 @@ std::string short_hash(std::string_view text) {
     return fmt::format("{:016x}", hash);
 }
 
-PngText picture_text(const Solution& solution, const ViewOptions& options, const std::string& project_hash,
+PngText picture_text(const Solution& solution, const ViewOptions& look, const std::string& project_hash,
                      std::chrono::system_clock::time_point when) {
-    const Caption caption = caption_of(solution, options);
+    const Caption caption = caption_of(solution, look);
     std::string description = caption.detail;
-    if (options.scale == Scale::false_colour && !options.shadow_classes)
-        description = fmt::format("Illuminance in lx, {} scale from {:g} to {:g} lx. {}", name_of(options.steps),
-                                  options.range.low, options.range.high, description);
+    if (look.scale == Scale::false_colour && !look.shadow_classes)
+        description = fmt::format("Illuminance in lx, {} scale from {:g} to {:g} lx. {}", name_of(look.steps),
+                                  look.range.low, look.range.high, description);
     PngText text{{"Title", caption.title}, {"Software", "Hanei " HANEI_VERSION}, {"Description", description}};
     const std::time_t seconds = std::chrono::system_clock::to_time_t(when);
     std::tm utc{};

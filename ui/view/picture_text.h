@@ -10,7 +10,7 @@ namespace hanei {
 
 /// Title, Software, Description (quantity, unit, range, method, error), Creation Time and the project's hash,
 /// for write_png().
-PngText picture_text(const Solution& solution, const ViewOptions& options, const std::string& project_hash,
+PngText picture_text(const Solution& solution, const ViewOptions& look, const std::string& project_hash,
                      std::chrono::system_clock::time_point when);
 
 /// Sixteen hexadecimal digits of a text, the same on every machine (FNV-1a): tells projects apart, proves nothing.

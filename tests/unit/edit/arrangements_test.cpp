@@ -96,7 +96,7 @@ TEST(Arrangements, a_luminaire_moved_by_itself_leaves_and_stays_away) {
 TEST(Arrangements, go_along_when_all_their_luminaires_are_moved_alike) {
     Added field = field_of_six();
     Scene scene = field.scene;
-    for (const ObjectId id : only(field.scene).luminaires) scene = moved(std::move(scene), id, {0.0, 0.1, -0.5});
+    for (Luminaire& luminaire : scene.luminaires) luminaire.position += Vec3(0.0, 0.1, -0.5);
     scene = with_arrangements_kept(std::move(scene));
     EXPECT_EQ(luminaires_in(only(scene)), 6U);
     EXPECT_LT(glm::length(std::get<FieldLayout>(only(scene).layout).corner - Vec3(0.0, 0.1, 2.2)), rounding);

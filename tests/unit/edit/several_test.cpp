@@ -64,7 +64,7 @@ TEST(Several, an_arrangement_moves_along_when_all_its_luminaires_do) {
 TEST(Several, a_luminaire_moved_without_the_others_leaves_its_arrangement) {
     const Desk desk;
     const Scene after = moved(desk.scene, desk.row[1], {0.0, 1.0, 0.0});
-    EXPECT_EQ(after.arrangements.front().luminaires, (ObjectIds{desk.row[0], desk.row[2]}));
+    EXPECT_EQ(after.arrangements.front().luminaires, (ObjectIds{desk.row[0], {}, desk.row[2]}));
     EXPECT_EQ(after.arrangements.front().layout, desk.line().layout);
 }
 
