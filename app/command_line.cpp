@@ -236,6 +236,7 @@ void add_import(CLI::App& app, Arguments& arguments) {
     command->add_option("--up", request.up, "Axis of the file that points up")->check(CLI::IsMember({"y", "z"}));
     command->add_option("--as", request.as, "What it holds; auto: what looks like a room is one")
         ->check(CLI::IsMember({"furniture", "room", "auto"}));
+    command->add_option("--at", request.at, "Stand it on the floor, its footprint centred here: X Y (m)")->expected(2);
 }
 
 void add_export(CLI::App& app, Arguments& arguments) {

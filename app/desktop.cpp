@@ -3,8 +3,10 @@
 #include "app/clipboard.h"
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/lit_picture.h"
 #include "app/user_folders.h"
 #include "engine/edit/edit.h"
+#include "engine/project/gltf_import.h"
 #include "engine/project/luminaires.h"
 #include "engine/project/project_file.h"
 #include "ui/window/script.h"
@@ -70,6 +72,28 @@ int play(const std::filesystem::path& file, ProjectContent content, const Deskto
     return exit_answer_is_no;
 }
 
+Opened<ModelContent> model_of(const std::filesystem::path& file, const ModelReading& how) {
+    GltfImportOptions wanted;
+    wanted.metres_per_unit = how.metres_per_unit;
+    wanted.up = how.z_up ? GltfUpAxis::z : GltfUpAxis::y;
+    wanted.kind = how.kind == ModelReading::Kind::furniture ? GltfKind::furniture
+                  : how.kind == ModelReading::Kind::room    ? GltfKind::room
+                                                            : GltfKind::automatic;
+    GltfImport import = import_gltf(file, wanted);
+    Opened<ModelContent> opened{{}, std::move(import.findings)};
+    if (import.scene)
+        opened.content =
+            ModelContent{std::move(*import.scene), import.size, import.solids, import.sheets, import.luminaires};
+    return opened;
+}
+
+std::optional<Diagnostic> export_model(const Solution& solution, const ViewOptions& look,
+                                       const std::filesystem::path& file) {
+    if (!solution.display) return write_gltf(*solution.scene, nullptr, file);
+    const LitPicture picture = lit_picture(solution, look);
+    return write_gltf(*solution.scene, &picture, file);
+}
+
 }  // namespace
 
 ProjectDoor project_door() {
@@ -81,6 +105,8 @@ ProjectDoor project_door() {
     door.read_luminaires = photometries_of;
     door.text = [](const ProjectContent& content) { return project_text({content.scene, content.settings}); };
     door.copy_picture = copy_png;
+    door.read_model = model_of;
+    door.export_model = export_model;
     return door;
 }
 

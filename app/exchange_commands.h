@@ -11,6 +11,7 @@ struct ImportRequest {
     std::string unit = "m";                     ///< of the file: m, cm, mm, in, ft, or a number of metres
     std::string up = "y";
     std::string as = "auto";  ///< furniture, room, auto
+    std::vector<double> at;   ///< m, x and y its footprint is centred at, on the floor; empty: as in the file
 };
 int import_command(const ImportRequest& request);
 

@@ -45,9 +45,13 @@ int import_command(const ImportRequest& request) {
     wanted.up = request.up == "z" ? GltfUpAxis::z : GltfUpAxis::y;
     if (request.as == "furniture") wanted.kind = GltfKind::furniture;
     if (request.as == "room") wanted.kind = GltfKind::room;
-    const GltfImport import = import_gltf(request.file, wanted);
+    GltfImport import = import_gltf(request.file, wanted);
     print_findings(import.findings);
     if (!import.scene) return exit_bad_input;
+    if (request.at.size() == 2) {
+        const double floor = project->scene.room ? project->scene.room->floor_height : 0.0;
+        import.scene = stood_at(std::move(*import.scene), {request.at[0], request.at[1]}, floor);
+    }
     const bool replaces = project->scene.room && import.scene->room;
     if (replaces) std::fputs("the room of the file takes the place of the project's\n", stderr);
     if (request.into) {

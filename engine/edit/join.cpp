@@ -103,6 +103,16 @@ Scene joined(Scene into, const Scene& from) {
     return into;
 }
 
+Scene emptied(Scene scene) {
+    Scene empty;
+    empty.title = std::move(scene.title);
+    empty.maintenance_factor = scene.maintenance_factor;
+    empty.last_id = scene.last_id;
+    empty.unknown = std::move(scene.unknown);
+    empty.colour_scale = scene.colour_scale;
+    return empty;
+}
+
 Scene stood_at(Scene scene, Vec2 place, double floor) {
     const bool empty = scene.furniture.empty() && scene.surfaces.empty() && scene.luminaires.empty();
     if (scene.room || empty) return scene;

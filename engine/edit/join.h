@@ -10,6 +10,10 @@ namespace hanei {
 /// there; title, maintenance factor and colour scale stay those of `into`.
 Scene joined(Scene into, const Scene& from);
 
+/// Without all that it shows, lights and computes: title, maintenance factor and colour scale stay, and no id
+/// is given twice.
+Scene emptied(Scene scene);
+
 /// Moved so that the middle of its footprint stands at this place of the plan and its lowest point on the
 /// floor. A scene with a room or without anything that has a place stays where it is.
 Scene stood_at(Scene scene, Vec2 place, double floor);

@@ -14,6 +14,8 @@ enum class CommandId {
     save,
     save_as,
     recover_work,
+    import_model,
+    export_model,
     export_picture,
     export_values,
     copy_picture,

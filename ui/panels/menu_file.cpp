@@ -20,6 +20,21 @@ constexpr std::array table{
             "Recover unsaved work...",
             "Look for work of windows that ended before it was saved",
             {}},
+    Command{
+        import_model,
+        "file.import",
+        "File",
+        "Import glTF...",
+        "Take furniture, a room and lamps from a model of another program (.gltf, .glb). Or drop the file on the room",
+        {},
+        {},
+        true},
+    Command{export_model,
+            "file.export_model",
+            "File",
+            "Export glTF...",
+            "Write the room for other programs, its light as colours as the view shows it",
+            {}},
     Command{export_picture,
             "file.export",
             "File",
@@ -61,6 +76,10 @@ bool Workbench::can_file(CommandId id) const {
             return study_.solution() != nullptr;
         case CommandId::export_values:
             return study_.answer() != nullptr;
+        case CommandId::import_model:
+            return static_cast<bool>(door_.read_model);
+        case CommandId::export_model:
+            return study_.fresh() && door_.export_model;
         case CommandId::render_exact:
             return study_.fresh() && !viewport_.state.options.shadow_classes &&
                    has_part(*study_.solution(), viewport_.state.options.part);
@@ -83,6 +102,10 @@ void Workbench::do_file(CommandId id) {
             offer_recovery();
             if (!recovery_.is_open()) message_ = "There is no unsaved work to recover";
             return;
+        case CommandId::import_model:
+            return import_model();
+        case CommandId::export_model:
+            return export_model();
         case CommandId::export_picture:
             return export_dialog_.open(folder(), preferences_.picture_name);
         case CommandId::copy_picture:

@@ -1,8 +1,10 @@
 /// The window's way to the disk. Panels know no file formats: the program hands them these.
 #pragma once
 
+#include "ui/panels/model_content.h"
 #include "ui/panels/project_content.h"
 #include "ui/panels/user_door.h"
+#include "ui/view/view_options.h"
 
 #include <filesystem>
 #include <functional>
@@ -22,6 +24,11 @@ struct ProjectDoor {
     std::function<std::string(const ProjectContent&)> text = {};  ///< as it would be saved
     /// A PNG to the system's clipboard. Returns why not, or nothing.
     std::function<std::optional<std::string>(std::string_view)> copy_picture = {};
+    /// Furniture, rooms and lamps of a model (glTF).
+    std::function<Opened<ModelContent>(const std::filesystem::path&, const ModelReading&)> read_model = {};
+    /// The solution's scene for other programs, its light coloured as a picture of these options.
+    std::function<std::optional<Diagnostic>(const Solution&, const ViewOptions&, const std::filesystem::path&)>
+        export_model = {};
 };
 
 }  // namespace hanei

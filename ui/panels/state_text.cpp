@@ -82,6 +82,7 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     state["recovery"] = std::to_string(workbench.recovery().is_open() ? workbench.recovery().offers().size() : 0);
     state["messages"] = std::to_string(workbench.messages().entries().size());
     state["browser"] = truth(workbench.browser().is_open());
+    state["model"] = workbench.model_import().summary();
     state["snap"] = truth(workbench.is_snapping());
     state["part"] = workbench.viewport().state.panes.shows_parts()
                         ? "four"

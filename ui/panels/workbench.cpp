@@ -97,6 +97,7 @@ void Workbench::draw(const ViewPainter& paint) {
     status_line({0.0F, all.bottom, screen.x, screen.y});
     exact_.draw(
         paint, [this] { save_exact(); }, widgets_);
+    model_import_.draw(form_);
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
     preferences_dialog_.draw(preferences_, form_);

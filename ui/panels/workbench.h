@@ -14,6 +14,7 @@
 #include "ui/panels/frame_recording.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/messages_panel.h"
+#include "ui/panels/model_import.h"
 #include "ui/panels/object_tree.h"
 #include "ui/panels/photometry_panel.h"
 #include "ui/panels/preferences.h"
@@ -62,6 +63,7 @@ public:
     const ExactPanel& exact() const { return exact_; }
     const Dialogs& dialogs() const { return dialogs_; }
     const FileBrowser& browser() const { return browser_; }
+    const ModelImport& model_import() const { return model_import_; }
     const PhotometryPanel& photometry() const { return photometry_; }
     const Readings& readings() const { return readings_; }
     const Preferences& preferences() const { return preferences_; }
@@ -134,6 +136,10 @@ private:
     void ask_where_else(const std::filesystem::path& file, const Diagnostic& fault, const std::function<void()>& then);
     void add_luminaire_file();
     void replace_luminaire_file();
+    void import_model();
+    bool ask_about_model(const std::filesystem::path& file, Vec2 place, bool dropped);
+    void take_model(ModelImport::Taken taken);
+    void export_model();
 
     /// Luminaire files on their way into the scene.
     struct Arrival {
@@ -172,6 +178,7 @@ private:
     PhotometryPanel photometry_;
     Dialogs dialogs_;
     FileBrowser browser_;
+    ModelImport model_import_;
 
     std::vector<ViewOverlay*> overlays_;  ///< in the order in which they are drawn
     Arrival arrival_;

@@ -55,7 +55,12 @@ void Workbench::drop(const std::vector<std::filesystem::path>& files) {
     Arrival arrival{{files.begin(), files.end()}, {}, {}, place_in_plan(*scene, pointed.ray, raster()), {}};
     const bool on_luminaire = find_luminaire(*scene, selection_.primary()) != nullptr;
     const bool on_chosen = on_luminaire && pointed.object == selection_.primary();
+    const bool is_model = ending_of(files.front()) == ".gltf" || ending_of(files.front()) == ".glb";
     const bool beside_view = on_luminaire && !pointed.ray && ImGui::GetIO().MousePos.x > viewport_.right_edge();
+    const bool on_view = !on_chosen && !beside_view;
+    if (files.size() == 1 && is_model && on_view && door_.read_model &&
+        ask_about_model(files.front(), arrival.place, true))
+        return;
     if (files.size() > 1 || !(on_chosen || beside_view)) return receive(std::move(arrival));
     Arrival instead = arrival;
     instead.replaced = selection_.primary();
