@@ -81,6 +81,9 @@ ObjectId object_named(const Scene& scene, const std::string& name) {
     if (!found) found = search(scene.views);
     if (!found) found = search(scene.materials);
     if (!found && scene.room) found = search(scene.room->sub_areas);
+    if (!found) found = search(scene.arrangements);
+    if (!found) found = search(scene.control_groups);
+    if (!found) found = search(scene.light_scenes);
     if (!found && scene.room && display_name(scene, scene.room->id) == name) found = scene.room->id;
     return found;
 }

@@ -47,6 +47,27 @@ enum class CommandId {
     add_box,
     add_grid,
     add_calculation_point,
+    light_line,
+    light_field,
+    light_circle,
+    light_layout,
+    light_aim,
+    light_recessed,
+    light_surface,
+    light_pendant,
+    light_wall,
+    light_standing,
+    light_group,
+    light_keep,
+    light_scene_1,
+    light_scene_2,
+    light_scene_3,
+    light_scene_4,
+    light_scene_5,
+    light_scene_6,
+    light_scene_7,
+    light_scene_8,
+    light_scene_9,
     show_overview,
     show_plan,
     show_ceiling_plan,
@@ -105,6 +126,7 @@ struct Command {
 std::span<const Command> file_menu();
 std::span<const Command> edit_menu();
 std::span<const Command> add_menu();
+std::span<const Command> light_menu();
 std::span<const Command> view_menu();
 std::span<const Command> look_menu();  ///< the end of the View menu
 std::span<const Command> results_menu();

@@ -1,5 +1,7 @@
 #include "ui/panels/document.h"
 
+#include "engine/edit/arrangements.h"
+
 namespace hanei {
 
 Document::Document(ProjectContent content, std::filesystem::path file)
@@ -18,13 +20,13 @@ void Document::propose(Scene scene, std::string step) {
 
 void Document::settle() {
     if (!working_) return;
-    history_.commit(*working_, step_);
+    history_.commit(with_arrangements_kept(*working_), step_);
     working_.reset();
 }
 
 void Document::commit(Scene scene, std::string step) {
     settle();
-    history_.commit(std::move(scene), std::move(step));
+    history_.commit(with_arrangements_kept(std::move(scene)), std::move(step));
 }
 
 void Document::undo() {

@@ -1,6 +1,7 @@
 #include "engine/edit/control_groups.h"
 #include "engine/edit/luminaire_edits.h"
 #include "engine/scene/colour.h"
+#include "ui/panels/holding_rows.h"
 #include "ui/panels/photometry_rows.h"
 #include "ui/panels/properties.h"
 #include "ui/panels/property_rows.h"
@@ -84,40 +85,17 @@ bool output_rows(Luminaire& luminaire, const Photometry* photometry, Form& form)
     return changed;
 }
 
-constexpr std::array<double, 6> usual_temperatures{0.0, 2700.0, 3000.0, 4000.0, 5000.0, 6500.0};  // K
-
-/// One of the usual colour temperatures, or any.
 bool colour_rows(const Scene& scene, Luminaire& luminaire, Form& form) {
-    std::vector<std::string> names;
-    std::vector<ImU32> marks;
-    for (const double kelvin : usual_temperatures) {
-        Luminaire like;
-        like.colour_temperature = kelvin;
-        names.push_back(kelvin > 0.0 ? fmt::format("{:.0f} K", kelvin) : "Neutral");
-        marks.push_back(kelvin > 0.0 ? mark_of(like, scene) : style::text);
+    if (const ControlGroup* group = find_control_group(scene, luminaire.group);
+        group && group->colour_temperature > 0.0) {
+        form.fact("Light colour", fmt::format("{:.0f}", group->colour_temperature), "K");
+        form.remark("As its group has it.", false);
+        return false;
     }
-    names.emplace_back("Other");
-    marks.push_back(mark_of(luminaire, scene));
-    const auto usual = std::find(usual_temperatures.begin(), usual_temperatures.end(), luminaire.colour_temperature);
-    int chosen = static_cast<int>(usual - usual_temperatures.begin());
-    bool changed = false;
-    if (form.choice("luminaire.colour", "Light colour",
-                    "Colour temperature. Neutral light is what pictures show as white; where every luminaire has a "
-                    "temperature, the mean of them is",
-                    names, chosen, marks)) {
-        constexpr double between_the_usual = 3500.0;
-        const auto place = static_cast<std::size_t>(chosen);
-        luminaire.colour_temperature =
-            place < usual_temperatures.size() ? usual_temperatures[place] : between_the_usual;
-        changed = true;
-    }
-    if (luminaire.colour_temperature > 0.0) {
-        changed |= form.number({"luminaire.temperature", "Temperature", "K", "Colour temperature of the light",
-                                lowest_colour_temperature, highest_colour_temperature, 10.0, 0},
-                               luminaire.colour_temperature);
-        if (is_light_of_one_colour(scene))
-            form.remark("All light has this colour: eyes and pictures take it for white.", false);
-    }
+    const bool changed =
+        light_colour_rows({"luminaire.colour", "luminaire.temperature", "Neutral"}, luminaire.colour_temperature, form);
+    if (luminaire.colour_temperature > 0.0 && is_light_of_one_colour(scene))
+        form.remark("All light has this colour: eyes and pictures take it for white.", false);
     return changed;
 }
 
@@ -170,8 +148,11 @@ std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form
     changed |= colour_rows(scene, luminaire, form);
     const bool colour_for_all = is_colour_for_all(scene, *found, form);
     changed |= colour_for_all;
+    const ObjectId own[] = {id};
+    std::optional<Scene> held;
     form.heading("Place");
     changed |= place_rows("luminaire", luminaire.position, form);
+    held = mounting_rows(scene, own, form);
     form.heading("Direction");
     changed |= angle_row(
         {"luminaire.yaw", "Turn", "°", "About the vertical, counter-clockwise from above", -360.0, 360.0, 0.5, 1},
@@ -185,8 +166,11 @@ std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form
                          luminaire.tilt, form);
     changed |= angle_row({"luminaire.roll", "Roll", "°", "About the luminaire's own x axis", -180.0, 180.0, 0.5, 1},
                          luminaire.roll, form);
+    form.heading("Shines at");
+    if (auto aimed_so = aim_rows(scene, own, form)) held = std::move(aimed_so);
     changed |=
         form.toggle("luminaire.opaque", "Hides things", "The opening hides what lies behind it", luminaire.opaque);
+    if (held) return held;
     if (!changed) return std::nullopt;
     Scene wished = scene;
     if (regrouped) luminaire.group = control_group_named(wished, group_name);

@@ -1,5 +1,6 @@
 #include "engine/edit/edit.h"
 #include "engine/edit/luminaire_edits.h"
+#include "ui/panels/hanging.h"
 #include "ui/panels/workbench.h"
 
 #include <array>
@@ -41,8 +42,11 @@ void Workbench::do_add(CommandId id) {
             return add(with_line_luminaire(scene), "Add line luminaire");
         case CommandId::add_panel_luminaire:
             return add(with_panel_luminaire(scene), "Add panel luminaire");
-        case CommandId::add_luminaire_file:
-            return add_luminaire_file();
+        case CommandId::add_luminaire_file: {
+            Arrival arrival;
+            arrival.place = place_in_plan(scene, {}, raster());
+            return add_luminaire_file(std::move(arrival));
+        }
         case CommandId::add_box:
             return add(with_box(scene), "Add box");
         case CommandId::add_grid:

@@ -85,13 +85,16 @@ std::optional<Scene> project_panel(const Scene& scene, Form& form) {
 std::optional<Scene> object_panel(const Scene& scene, ObjectId id, Form& form) {
     switch (kind_of(scene, id)) {
         case ObjectKind::none:
-        case ObjectKind::control_group:
-        case ObjectKind::light_scene:
-        case ObjectKind::arrangement:
         case ObjectKind::object_group:
             return project_panel(scene, form);
         case ObjectKind::sub_area:
             return sub_area_panel(scene, id, form);
+        case ObjectKind::control_group:
+            return control_group_panel(scene, id, form);
+        case ObjectKind::light_scene:
+            return light_scene_panel(scene, id, form);
+        case ObjectKind::arrangement:
+            return arrangement_panel(scene, id, form);
         case ObjectKind::room:
             return [&] {
                 RoomFocus focus;

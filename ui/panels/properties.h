@@ -13,6 +13,9 @@
 namespace hanei {
 
 std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form);
+std::optional<Scene> arrangement_panel(const Scene& scene, ObjectId id, Form& form);
+std::optional<Scene> control_group_panel(const Scene& scene, ObjectId id, Form& form);
+std::optional<Scene> light_scene_panel(const Scene& scene, ObjectId id, Form& form);
 std::optional<Scene> furniture_panel(const Scene& scene, ObjectId id, Form& form);
 std::optional<Scene> sub_area_panel(const Scene& scene, ObjectId id, Form& form);
 std::optional<Scene> surface_panel(const Scene& scene, ObjectId id, Form& form);

@@ -6,6 +6,7 @@
 #include "ui/view/tone.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -54,6 +55,34 @@ bool material_row(const char* name, const char* label, const Scene& scene, Objec
     if (!form.choice(name, label, "Which material covers it, with its reflectance", names, chosen, marks)) return false;
     material = scene.materials[static_cast<std::size_t>(chosen)].id;
     return true;
+}
+
+bool light_colour_rows(const LightColourRows& rows, double& kelvin, Form& form) {
+    constexpr std::array usual{0.0, 2700.0, 3000.0, 4000.0, 5000.0, 6500.0};  // K
+    std::vector<std::string> names;
+    std::vector<ImU32> marks;
+    for (const double each : usual) {
+        names.push_back(each > 0.0 ? fmt::format("{:.0f} K", each) : rows.neutral);
+        marks.push_back(each > 0.0 ? mark_of_light(each) : ImU32{style::text});
+    }
+    names.emplace_back("Other");
+    marks.push_back(mark_of_light(kelvin));
+    int chosen = static_cast<int>(std::find(usual.begin(), usual.end(), kelvin) - usual.begin());
+    bool changed = false;
+    if (form.choice(rows.choice, "Light colour",
+                    "Colour temperature. Neutral light is what pictures show as white; where every luminaire has a "
+                    "temperature, the mean of them is",
+                    names, chosen, marks)) {
+        constexpr double between_the_usual = 3500.0;
+        const auto place = static_cast<std::size_t>(chosen);
+        kelvin = place < usual.size() ? usual[place] : between_the_usual;
+        changed = true;
+    }
+    if (kelvin > 0.0)
+        changed |= form.number({rows.temperature, "Temperature", "K", "Colour temperature of the light",
+                                lowest_colour_temperature, highest_colour_temperature, 10.0, 0},
+                               kelvin);
+    return changed;
 }
 
 ImU32 mark_of(const Material& material) {

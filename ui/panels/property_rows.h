@@ -20,6 +20,13 @@ bool percent_row(const NumberField& field, double& share, Form& form);
 /// The choice of one of the scene's materials.
 bool material_row(const char* name, const char* label, const Scene& scene, ObjectId& material, Form& form);
 
+/// One of the usual colour temperatures, or any; `neutral` is what none is called. Several kinds of
+/// objects have one, so the fields' names are given.
+struct LightColourRows {
+    const char *choice, *temperature, *neutral;
+};
+bool light_colour_rows(const LightColourRows& names, double& kelvin, Form& form);
+
 /// How a list marks a material: its colour, light enough to be seen on the ground.
 ImU32 mark_of(const Material& material);
 

@@ -98,6 +98,10 @@ void Workbench::draw(const ViewPainter& paint) {
     exact_.draw(
         paint, [this] { save_exact(); }, widgets_);
     model_import_.draw(form_);
+    if (auto made = start_layout_.draw(*document_.shown(), form_)) {
+        document_.commit(std::move(made->scene), "Start layout");
+        selection_.choose(made->object);
+    }
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
     preferences_dialog_.draw(preferences_, form_);

@@ -12,6 +12,7 @@
 #include "ui/panels/file_stamp.h"
 #include "ui/panels/form.h"
 #include "ui/panels/frame_recording.h"
+#include "ui/panels/light_panel.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/messages_panel.h"
 #include "ui/panels/model_import.h"
@@ -24,6 +25,7 @@
 #include "ui/panels/recent_menu.h"
 #include "ui/panels/recovery_dialog.h"
 #include "ui/panels/selection.h"
+#include "ui/panels/start_layout_dialog.h"
 #include "ui/panels/viewport.h"
 
 #include <deque>
@@ -80,6 +82,7 @@ private:
     bool can_file(CommandId id) const;
     bool can_edit(CommandId id) const;
     bool can_add(CommandId id) const;
+    bool can_light(CommandId id) const;
     bool can_view(CommandId id) const;
     bool can_look(CommandId id) const;
     bool can_results(CommandId id) const;
@@ -87,6 +90,7 @@ private:
     void do_file(CommandId id);
     void do_edit(CommandId id);
     void do_add(CommandId id);
+    void do_light(CommandId id);
     void do_view(CommandId id);
     void do_look(CommandId id);
     void do_results(CommandId id);
@@ -118,6 +122,9 @@ private:
     void bottom(const ScreenRect& area);
     void properties_tab();
     void photometry_tab();
+    void light_tab();
+    void lay_out_luminaires(CommandId id);
+    void arrange(ObjectId luminaire, CommandId id);
     void status_line(const ScreenRect& area);
 
     bool is_asking() const;  ///< a dialog stands in front
@@ -134,7 +141,6 @@ private:
     void write(const std::filesystem::path& file, const std::function<void()>& then);
     void ask_about_changed_file(const std::function<void()>& then);
     void ask_where_else(const std::filesystem::path& file, const Diagnostic& fault, const std::function<void()>& then);
-    void add_luminaire_file();
     void replace_luminaire_file();
     void import_model();
     bool ask_about_model(const std::filesystem::path& file, Vec2 place, bool dropped);
@@ -148,8 +154,10 @@ private:
         Diagnostics faults;
         Vec2 place{0.0};    ///< in the plan, to hang at
         ObjectId replaced;  ///< the luminaire whose light they replace; nothing: they hang as new ones
+        std::function<void(ObjectId)> then{};  ///< with the one that was hung last
     };
     void receive(Arrival arrival);
+    void add_luminaire_file(Arrival arrival);  ///< asks for its file
     void read_next();
     void ask_which(const std::filesystem::path& file, std::vector<Photometry> found);
     void finish_arrival();
@@ -176,6 +184,8 @@ private:
     WidgetRegistry widgets_;
     Form form_{widgets_};
     PhotometryPanel photometry_;
+    LightPanel light_;
+    StartLayoutDialog start_layout_;
     Dialogs dialogs_;
     FileBrowser browser_;
     ModelImport model_import_;

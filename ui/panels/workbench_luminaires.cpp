@@ -25,17 +25,19 @@ std::string name_of_light(const Photometry& photometry) {
 
 }  // namespace
 
-void Workbench::add_luminaire_file() {
+void Workbench::add_luminaire_file(Arrival arrival) {
     browser_.open({"Add a luminaire", "Add", luminaire_endings(), false, folder(), ""},
-                  [this](const std::filesystem::path& file) {
-                      receive({{file}, {}, {}, place_in_plan(*document_.shown(), {}, raster()), {}});
+                  [this, arrival = std::move(arrival)](const std::filesystem::path& file) {
+                      Arrival named = arrival;
+                      named.files = {file};
+                      receive(std::move(named));
                   });
 }
 
 void Workbench::replace_luminaire_file() {
     browser_.open({"Use another luminaire file", "Use", luminaire_endings(), false, folder(), ""},
                   [this](const std::filesystem::path& file) {
-                      receive({{file}, {}, {}, {}, selection_.primary()});
+                      receive({{file}, {}, {}, {}, selection_.primary(), {}});
                   });
 }
 
@@ -52,7 +54,7 @@ void Workbench::drop(const std::vector<std::filesystem::path>& files) {
     if (project != files.end()) return guarded([this, file = *project] { load(file); });
     const SceneSnapshot scene = document_.shown();
     const Viewport::Pointed pointed = viewport_.pointed(*scene, ImGui::GetIO().MousePos);
-    Arrival arrival{{files.begin(), files.end()}, {}, {}, place_in_plan(*scene, pointed.ray, raster()), {}};
+    Arrival arrival{{files.begin(), files.end()}, {}, {}, place_in_plan(*scene, pointed.ray, raster()), {}, {}};
     const bool on_luminaire = find_luminaire(*scene, selection_.primary()) != nullptr;
     const bool on_chosen = on_luminaire && pointed.object == selection_.primary();
     const bool is_model = ending_of(files.front()) == ".gltf" || ending_of(files.front()) == ".glb";
@@ -135,6 +137,7 @@ void Workbench::finish_arrival() {
         add(with_measured_luminaires(*document_.shown(), std::move(arrival.read), arrival.place),
             count == 1 ? "Add luminaire from file" : "Add luminaires from files");
         message_ = count == 1 ? "Hung " + light : fmt::format("Hung {} luminaires", count);
+        if (arrival.then) arrival.then(selection_.primary());
     }
     if (kelvin && count == 1) message_ += fmt::format(" · {:g} K as its file states", *kelvin);
     if (remarks > 0) message_ += fmt::format(" · {} remark{} on its file", remarks, remarks == 1 ? "" : "s");

@@ -57,6 +57,12 @@ void Workbench::right(const ScreenRect& area) {
             ImGui::EndChild();
             ImGui::EndTabItem();
         }
+        if (begin_tab("Light", widgets_)) {
+            ImGui::BeginChild("light");
+            light_tab();
+            ImGui::EndChild();
+            ImGui::EndTabItem();
+        }
         if (begin_tab("Calculation", widgets_)) {
             ImGui::BeginChild("settings");
             ImGui::Dummy({0.0F, 2.0F * style::scale()});
