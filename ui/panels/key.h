@@ -58,6 +58,9 @@ inline constexpr int key_count = 512;
 
 constexpr Key key_of(char capital) { return static_cast<Key>(capital); }
 
+/// F1 to F9.
+constexpr Key function_key(int number) { return static_cast<Key>(static_cast<int>(Key::f1) + number - 1); }
+
 /// A key with the modifiers that must be held with it, and no others.
 struct Chord {
     Key key = Key::none;

@@ -12,7 +12,7 @@ namespace {
 
 using enum CommandId;
 
-constexpr Chord scene_key(int number) { return {static_cast<Key>(static_cast<int>(Key::f1) + number - 1), true}; }
+constexpr Chord scene_key(int number) { return {function_key(number), true}; }
 
 constexpr Command recall(CommandId id, std::string_view name, std::string_view label, int number) {
     return {id, name, "", label, "Sets the dimmers as the light scene of this number stores them", scene_key(number)};
