@@ -4,7 +4,6 @@
 #include "ui/panels/style.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
@@ -12,15 +11,11 @@
 namespace hanei {
 namespace {
 
-constexpr float unit_width = 46.0F;  // of "cd/m²", the longest, and a gap
-
 /// Before a name that is indented by six blanks.
 void dot(ImDrawList* list, const ImVec2& corner, ImU32 colour) {
     const float radius = 4.0F * style::scale();
     list->AddCircleFilled({corner.x + 2.0F * radius, corner.y + 0.5F * ImGui::GetTextLineHeight()}, radius, colour);
 }
-
-std::string printf_format(int decimals) { return fmt::format("%.{}f", decimals); }
 
 }  // namespace
 
@@ -44,7 +39,14 @@ void Form::begin(const char* id) {
 
 void Form::end() { ImGui::EndTable(); }
 
+void Form::begin_frame() {
+    finished_ = false;
+    shared_.begin_frame();
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || typing_ != 0) refused_ = {};
+}
+
 void Form::heading(const char* text) {
+    if (!shared_.draws()) return;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::Dummy({0.0F, 2.0F * style::scale()});
@@ -78,55 +80,39 @@ bool Form::accept_typed(bool edited, bool typing) {
     return ImGui::IsItemDeactivatedAfterEdit() && !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
 }
 
-bool Form::number(const NumberField& field, double& value) {
-    label(field.label, field.help);
-    ImGui::SetNextItemWidth(-unit_width * style::scale());  // units stand in a column of their own
-    double shown = value;
-    const std::string hidden = std::string("##") + field.name;
-    bool edited = ImGui::DragScalar(hidden.c_str(), ImGuiDataType_Double, &shown, static_cast<float>(field.step),
-                                    &field.low, &field.high, printf_format(field.decimals).c_str());
-    widgets_.note(field.name);
-    tooltip(field.help);
-    const ImGuiID item = ImGui::GetItemID();
-    const bool typing = ImGui::TempInputIsActive(item);
-    if (typing) typed_number_ = shown;
-    const bool was_typed = typing_ == item;
-    const bool accepted = accept_typed(edited, typing);
-    if (accepted && !edited) shown = typed_number_;
-    if (accepted) finished_ = true;
-    if ((typing || was_typed) && !accepted) edited = false;
-    unit(field.unit);
-    if (!(edited || accepted) || !std::isfinite(shown)) return false;
-    shown = std::clamp(shown, field.low, field.high);
-    if (shown == value) return false;
-    value = shown;
+bool Form::text(const char* name, const char* label_text, const char* help, std::string& value) {
+    if (!shared_.draws()) return shared_.row(name, value);
+    label(label_text, help);
+    if (!typed(name, help, value, shared_.is_mixed(name, value))) return false;
+    shared_.note_change(name, value);
     return true;
 }
 
-bool Form::text(const char* name, const char* label_text, const char* help, std::string& value) {
-    label(label_text, help);
-    return typed(name, help, value);
-}
-
 /// The field alone.
-bool Form::typed(const char* name, const char* help, std::string& value) {
-    std::string shown = value;
-    const bool edited = ImGui::InputText((std::string("##") + name).c_str(), &shown, ImGuiInputTextFlags_AutoSelectAll);
+bool Form::typed(const char* name, const char* help, std::string& value, bool mixed) {
+    std::string shown = mixed ? std::string() : value;
+    const bool edited = ImGui::InputTextWithHint((std::string("##") + name).c_str(), mixed ? tr("mixed") : "", &shown,
+                                                 ImGuiInputTextFlags_AutoSelectAll);
     widgets_.note(name);
     tooltip(help);
     const bool typing = ImGui::IsItemActive();
     if (edited || typing) typed_text_ = shown;
     if (edited && !typing) typing_ = ImGui::GetItemID();  // changed and finished within one frame
     const bool accepted = accept_typed(edited, typing);
-    if (!accepted || typed_text_ == value) return false;
+    if (!accepted || (typed_text_ == value && !mixed)) return false;
     value = typed_text_;
     finished_ = true;
     return true;
 }
 
 bool Form::toggle(const char* name, const char* label_text, const char* help, bool& value) {
+    if (!shared_.draws()) return shared_.row(name, value);
+    const bool mixed = shared_.is_mixed(name, value);
     label(label_text, help);
+    if (mixed) ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, true);
     const bool changed = ImGui::Checkbox((std::string("##") + name).c_str(), &value);
+    if (mixed) ImGui::PopItemFlag();
+    if (changed) shared_.note_change(name, value);
     widgets_.note(name);
     tooltip(help);
     finished_ |= changed;
@@ -135,16 +121,25 @@ bool Form::toggle(const char* name, const char* label_text, const char* help, bo
 
 bool Form::choice(const char* name, const char* label_text, const char* help, std::span<const std::string> names,
                   int& chosen, std::span<const ImU32> marks) {
+    const bool valid = chosen >= 0 && chosen < static_cast<int>(names.size());
+    std::string entry_now = valid ? names[static_cast<std::size_t>(chosen)] : std::string();
+    if (!shared_.draws()) {
+        if (!shared_.row(name, entry_now)) return false;
+        const auto found = std::find(names.begin(), names.end(), entry_now);
+        if (found == names.end()) return false;
+        chosen = static_cast<int>(found - names.begin());
+        return true;
+    }
+    const bool mixed = shared_.is_mixed(name, entry_now);
     label(label_text, help);
     ImDrawList* const field = ImGui::GetWindowDrawList();
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const char* const indent = marks.empty() ? "" : "      ";
     bool changed = false;
-    const bool valid = chosen >= 0 && chosen < static_cast<int>(names.size());
-    const std::string preview = valid ? indent + names[static_cast<std::size_t>(chosen)] : std::string();
+    const std::string preview = mixed ? std::string(tr("mixed")) : indent + entry_now;
     const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), preview.c_str());
-    if (valid && !marks.empty())
+    if (valid && !mixed && !marks.empty())
         dot(field, {at.x + padding.x, at.y + padding.y}, marks[static_cast<std::size_t>(chosen)]);
     widgets_.note(name);
     if (!open) tooltip(help);
@@ -152,7 +147,8 @@ bool Form::choice(const char* name, const char* label_text, const char* help, st
         for (int k = 0; k < static_cast<int>(names.size()); ++k) {
             const std::string& entry = names[static_cast<std::size_t>(k)];
             const ImVec2 corner = ImGui::GetCursorScreenPos();
-            if (ImGui::Selectable((indent + entry + "##" + std::to_string(k)).c_str(), k == chosen) && k != chosen) {
+            if (ImGui::Selectable((indent + entry + "##" + std::to_string(k)).c_str(), k == chosen && !mixed) &&
+                (k != chosen || mixed)) {
                 chosen = k;
                 changed = true;
             }
@@ -162,10 +158,12 @@ bool Form::choice(const char* name, const char* label_text, const char* help, st
         ImGui::EndCombo();
     }
     finished_ |= changed;
+    if (changed) shared_.note_change(name, names[static_cast<std::size_t>(chosen)]);
     return changed;
 }
 
 void Form::fact(const char* label_text, const std::string& value, const char* unit_text) {
+    if (!shared_.draws()) return;
     label(label_text, nullptr);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(value.c_str());
@@ -174,6 +172,7 @@ void Form::fact(const char* label_text, const std::string& value, const char* un
 }
 
 bool Form::button(const char* name, const char* label_text, const char* help) {
+    if (!shared_.draws()) return shared_.pressed(name);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
@@ -181,10 +180,12 @@ bool Form::button(const char* name, const char* label_text, const char* help) {
     widgets_.note(name);
     tooltip(help);
     finished_ |= pressed;
+    if (pressed) shared_.note_change(name, {});
     return pressed;
 }
 
 void Form::remark(const std::string& text, bool warning) {
+    if (!shared_.draws()) return;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();

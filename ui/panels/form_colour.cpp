@@ -27,6 +27,7 @@ std::optional<Vec3> colour_of(std::string_view text) {
 }  // namespace
 
 bool Form::colour(const char* name, const char* label_text, const char* help, Vec3& srgb) {
+    if (!shared_.draws()) return shared_.row(name, srgb);
     label(label_text, help);
     const std::string popup = std::string(name) + ".popup";
     const std::string digits_name = std::string(name) + ".digits";
@@ -43,10 +44,11 @@ bool Form::colour(const char* name, const char* label_text, const char* help, Ve
     ImGui::SetNextItemWidth(-FLT_MIN);
     bool changed = false;
     std::string digits = digits_of(srgb);
-    if (typed(digits_name.c_str(), "Its six hexadecimal digits in sRGB", digits)) {
+    if (typed(digits_name.c_str(), "Its six hexadecimal digits in sRGB", digits, false)) {
         const std::optional<Vec3> read = colour_of(digits);
         changed = read.has_value();
         srgb = read.value_or(srgb);
+        if (changed) shared_.note_change(name, srgb);
     }
     const ImVec2 corner = ImGui::GetItemRectMax();
     ImGui::SetNextWindowPos({corner.x, corner.y + 4.0F * style::scale()}, ImGuiCond_Always, {1.0F, 0.0F});
@@ -58,6 +60,7 @@ bool Form::colour(const char* name, const char* label_text, const char* help, Ve
         srgb = picked_ = Vec3(static_cast<double>(primaries[0]), static_cast<double>(primaries[1]),
                               static_cast<double>(primaries[2]));
         changed = true;
+        shared_.note_change(name, srgb);
     }
     widgets_.note(std::string(name) + ".picker");
     ImGui::EndPopup();

@@ -2,6 +2,7 @@
 
 #include "engine/edit/edit.h"
 #include "ui/panels/style.h"
+#include "ui/panels/units.h"
 
 #include <imgui_internal.h>
 
@@ -68,6 +69,7 @@ void Workbench::draw(const ViewPainter& paint) {
     ++frames_;
     widgets_.begin_frame();
     form_.begin_frame();
+    show_units(preferences_.length, preferences_.illuminance);
     read_keys();
     selection_.keep_existing(*document_.shown());
     follow_study();

@@ -26,6 +26,7 @@
 #include "ui/panels/recovery_dialog.h"
 #include "ui/panels/selection.h"
 #include "ui/panels/start_layout_dialog.h"
+#include "ui/panels/several_panel.h"
 #include "ui/panels/viewport.h"
 
 #include <deque>
@@ -183,6 +184,7 @@ private:
     Viewport viewport_;
     WidgetRegistry widgets_;
     Form form_{widgets_};
+    SeveralPanel several_panel_;
     PhotometryPanel photometry_;
     LightPanel light_;
     StartLayoutDialog start_layout_;

@@ -1,18 +1,29 @@
-#include "engine/edit/edit.h"
+#include "engine/edit/several.h"
 #include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/properties.h"
 #include "ui/panels/style.h"
 #include "ui/panels/workbench.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace hanei {
 namespace {
 
-std::string step_name(const Scene& scene, ObjectId id) {
-    const ObjectKind kind = kind_of(scene, id);
-    return kind == ObjectKind::none ? "Change project" : "Change " + std::string(name_of(kind));
+std::string step_name(const Scene& scene, const Selection& selection) {
+    ObjectIds alike = others_alike(scene, selection);
+    alike.push_back(selection.primary());
+    return "Change " + (selection.empty() ? std::string("project") : words_for(scene, alike));
+}
+
+/// "4 luminaires", and which of a mixed selection the rows below are about.
+void several_headline(const Scene& scene, const Selection& selection) {
+    ObjectIds alike = others_alike(scene, selection);
+    alike.push_back(selection.primary());
+    const std::string all = words_for(scene, selection.ids());
+    const bool mixed_kinds = alike.size() < selection.ids().size();
+    headline(all, mixed_kinds ? fmt::format("{} {}", tr("below:"), words_for(scene, alike)) : std::string());
 }
 
 }  // namespace
@@ -23,14 +34,16 @@ void Workbench::properties_tab() {
     ImGui::Dummy({0.0F, 2.0F * style::scale()});
     if (kind == ObjectKind::none)
         headline(tr("Project"), "");
-    else
+    else if (selection_.ids().size() == 1)
         headline(display_name(*scene, selection_.primary()), tr(name_of(kind)));
+    else
+        several_headline(*scene, selection_);
     ImGui::PushID(static_cast<int>(selection_.primary().value));
     form_.begin("properties");
-    std::optional<Scene> wished = object_panel(*scene, selection_.primary(), form_);
+    std::optional<Scene> wished = several_panel_.draw(scene, selection_, form_);
     form_.end();
     ImGui::PopID();
-    if (wished) propose(std::move(*wished), step_name(*scene, selection_.primary()));
+    if (wished) propose(std::move(*wished), step_name(*scene, selection_));
 }
 
 void Workbench::photometry_tab() {

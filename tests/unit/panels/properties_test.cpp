@@ -5,6 +5,7 @@
 #include "engine/scene/scene_check.h"
 #include "ui/panels/key.h"
 #include "ui/panels/style.h"
+#include "ui/panels/units.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -257,6 +258,41 @@ TEST_F(APanel, shows_every_kind_of_object) {
         selected = id;
         EXPECT_EQ(frames(2), 0) << name_of(kind_of(scene, selected));
     }
+}
+
+TEST_F(APanel, calculates_what_is_typed_and_counts_its_units) {
+    show(with_panel_luminaire(scene));
+    type_into("luminaire.x", "2*0.6+0.05");
+    key(Key::enter);
+    EXPECT_NEAR(lamp().position.x, 1.25, 1e-12);
+    type_into("luminaire.y", "150 cm");
+    key(Key::enter);
+    EXPECT_NEAR(lamp().position.y, 1.5, 1e-12);
+    type_into("luminaire.yaw", "1.5707963267948966 rad");
+    key(Key::enter);
+    EXPECT_NEAR(lamp().yaw, 1.5707963267948966, 1e-12);
+}
+
+TEST_F(APanel, keeps_the_old_figure_when_the_typed_one_cannot_be_read) {
+    show(with_panel_luminaire(scene));
+    const Scene before = scene;
+    EXPECT_EQ(type_into("luminaire.x", "2*") + key(Key::enter) + frames(2), 0);
+    EXPECT_EQ(type_into("luminaire.x", "1 kg") + key(Key::enter) + frames(2), 0);
+    EXPECT_EQ(scene, before);
+}
+
+TEST_F(APanel, shows_and_takes_lengths_in_the_preferred_unit) {
+    show_units(LengthUnit::millimetre, IlluminanceUnit::lux);
+    show(with_panel_luminaire(scene));
+    type_into("luminaire.x", "1250");
+    key(Key::enter);
+    EXPECT_NEAR(lamp().position.x, 1.25, 1e-12);
+    show_units(LengthUnit::feet_inches, IlluminanceUnit::lux);
+    frames(2);
+    type_into("luminaire.x", "5'-3 1/2\"");
+    key(Key::enter);
+    EXPECT_NEAR(lamp().position.x, 5 * 0.3048 + 3.5 * 0.0254, 1e-12);
+    show_units(LengthUnit::metre, IlluminanceUnit::lux);
 }
 
 }  // namespace
