@@ -7,7 +7,7 @@
 #include "app/files.h"
 #include "app/light_commands.h"
 #include "app/photometry_command.h"
-#include "app/why_command.h"
+#include "app/reading_arguments.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -69,7 +69,7 @@ struct Arguments {
     ValidateRequest validate;
     ImportRequest import;
     ExportRequest exported;
-    WhyRequest why;
+    ReadingArguments reading;
     LayoutRequest layout;
     std::filesystem::path check_project, photometry_file, described;
     std::optional<std::filesystem::path> photometry_json;
@@ -163,21 +163,6 @@ void add_render(CLI::App& app, Arguments& arguments) {
     arguments.common.add_to(*command);
 }
 
-void add_why(CLI::App& app, Arguments& arguments) {
-    CLI::App* command = app.add_subcommand(
-        "why", "Why it is as bright at a place as it is: by luminaire, group, reflection and surface");
-    WhyRequest& request = arguments.why;
-    add_project(*command, request.project);
-    auto* const at = command->add_option("--at", request.at, "The place, as X,Y,Z (m)")->delimiter(',')->expected(3);
-    command->add_option("--normal", request.normal, "The direction that the place faces; none: up, 0,0,1")
-        ->delimiter(',')
-        ->expected(3);
-    command->add_option("--point", request.point, "A calculation point by name or number, in place of --at")
-        ->excludes(at);
-    command->add_option("--json", request.json, "Write the same as JSON");
-    arguments.common.add_to(*command);
-}
-
 void add_describe(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("describe", "What an exported picture says of itself");
     command->add_option("PICTURE", arguments.described, "PNG file")->required();
@@ -267,11 +252,8 @@ int run(const CLI::App& app, Arguments& arguments) {
         read_size(arguments.render_size, arguments.render.width, arguments.render.height);
         return render_command(arguments.render);
     }
-    if (app.got_subcommand("why")) {
-        arguments.why.change = change;
-        return why_command(arguments.why);
-    }
     if (app.got_subcommand("describe")) return describe_command(arguments.described);
+    if (const auto done = run_reading(app, arguments.reading, change)) return *done;
     if (app.got_subcommand("plan")) {
         arguments.plan.change = change;
         return plan_command(arguments.plan);
@@ -312,8 +294,8 @@ int run_command_line(int argc, char** argv) {
     add_desktop(app, arguments);
     add_solve(app, arguments);
     add_render(app, arguments);
-    add_why(app, arguments);
     add_describe(app, arguments);
+    add_reading(app, arguments.reading, [&](CLI::App& command) { arguments.common.add_to(command); });
     add_plan(app, arguments);
     add_study(app, arguments);
     arguments.common.add_to(add_layout(app, arguments.layout));

@@ -13,7 +13,7 @@
 namespace hanei {
 namespace {
 
-constexpr float list_width = 330.0F;
+constexpr float list_width = 312.0F;
 
 bool choice(const char* label, const char* name, bool on, const char* help, WidgetRegistry& widgets) {
     const bool pressed = ImGui::RadioButton(fmt::format("{}##{}", tr(label), name).c_str(), on);
@@ -98,8 +98,9 @@ void grids_table(const Solution& first, const Solution& second, CompareWish& wis
                                   fmt::format("B  {}", unit),
                                   fmt::format("B − A  {}", unit),
                                   "B − A  %",
-                                  tr("U0  A → B")};
-    for (int k = 0; k < 6; ++k) ImGui::TableSetupColumn(titles[k].c_str(), 0, k == 0 ? 2.0F : 1.0F);
+                                  tr("U0  A, B")};
+    constexpr float shares[] = {2.0F, 0.9F, 0.9F, 1.1F, 0.9F, 1.7F};
+    for (int k = 0; k < 6; ++k) ImGui::TableSetupColumn(titles[k].c_str(), 0, shares[k]);
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
@@ -126,7 +127,7 @@ void grids_table(const Solution& first, const Solution& second, CompareWish& wis
         const double by = both ? row.second->mean - row.first->mean : 0.0;
         right_cell(both ? signed_figure(by) : "–");
         right_cell(both && row.first->mean > 0.0 ? fmt::format("{:+.1f}", 100.0 * by / row.first->mean) : "–");
-        right_cell(both ? fmt::format("{:.2f} → {:.2f}", row.first->uniformity, row.second->uniformity) : "–");
+        right_cell(both ? fmt::format("{:.2f}, {:.2f}", row.first->uniformity, row.second->uniformity) : "–");
     }
     ImGui::EndTable();
 }

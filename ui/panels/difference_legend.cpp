@@ -47,12 +47,12 @@ void difference_legend(Snapshots& snapshots, LightPart part, const ScreenRect& v
     const ImVec2 low{view.right - (card_width + 12.0F) * scale, view.top + 12.0F * scale};
     const ImVec2 high{view.right - 12.0F * scale, low.y + height};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, high, IM_COL32(20, 22, 26, 225), 6.0F * scale);
+    list.AddRectFilled(low, high, style::card, 6.0F * scale);
     const float left = low.x + 8.0F * scale;
     const auto write = [&](ImVec2 at, const std::string& text, ImU32 colour) {
         list.AddText(style::fonts().small, line, at, colour, text.c_str());
     };
-    constexpr ImU32 bright = IM_COL32(0xE3, 0xE5, 0xE8, 0xFF), pale = IM_COL32(0x93, 0x99, 0xA3, 0xFF);
+    const ImU32 bright = style::text, pale = style::quiet_text;
     write({left, low.y + 7.0F * scale}, fmt::format("B − A  {}", illuminance_unit_name()), pale);
     const ImVec2 keep = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({left, low.y + line + 12.0F * scale});

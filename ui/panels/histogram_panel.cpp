@@ -21,7 +21,7 @@ constexpr float facts_width = 230.0F;
 
 void fact(const char* label, const std::string& value) {
     ImGui::TextColored(style::colour(style::quiet_text), "%s", label);
-    ImGui::SameLine(facts_width * style::scale() - ImGui::CalcTextSize(value.c_str()).x - 8.0F * style::scale());
+    ImGui::SameLine(facts_width * style::scale() - ImGui::CalcTextSize(value.c_str()).x - 22.0F * style::scale());
     ImGui::TextUnformatted(value.c_str());
 }
 

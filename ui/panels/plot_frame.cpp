@@ -108,10 +108,10 @@ void plot_card(const PlotFrame& frame, ImVec2 at, const std::vector<std::string>
     const ImVec2 low{fits_right ? at.x + 12.0F * scale : at.x - 12.0F * scale - size.x,
                      std::clamp(at.y - 0.5F * size.y, frame.low().y, std::max(frame.low().y, frame.high().y - size.y))};
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, IM_COL32(20, 22, 26, 235), 5.0F * scale);
+    list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, style::card, 5.0F * scale);
     for (std::size_t k = 0; k < lines.size(); ++k)
         list.AddText({low.x + 8.0F * scale, low.y + 5.0F * scale + static_cast<float>(k) * line},
-                     IM_COL32(0xE3, 0xE5, 0xE8, 0xFF), lines[k].c_str());
+                     style::text, lines[k].c_str());
 }
 
 }  // namespace hanei

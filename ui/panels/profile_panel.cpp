@@ -22,15 +22,14 @@ constexpr float field_width = 262.0F;
 struct CurveLook {
     const char* name;
     double (*value)(const PointValue&);
-    ImU32 colour;
+    style::Colour colour;
     bool dashed;
 };
-std::array<CurveLook, 3> curve_looks() {
-    return {CurveLook{"Total", [](const PointValue& value) { return value.total().value; }, style::accent, false},
-            CurveLook{"Direct", [](const PointValue& value) { return value.direct.value; }, style::second, false},
-            CurveLook{"Interreflected", [](const PointValue& value) { return value.interreflected.value; }, style::good,
-                      true}};
-}
+const std::array curves{
+    CurveLook{"Total", [](const PointValue& value) { return value.total().value; }, style::accent, false},
+    CurveLook{"Direct", [](const PointValue& value) { return value.direct.value; }, style::second, false},
+    CurveLook{"Interreflected", [](const PointValue& value) { return value.interreflected.value; },
+              style::good, true}};
 
 /// Three typed figures in a row.
 bool place_fields(const char* label, const char* name, Vec3& place, const char* help, WidgetRegistry& widgets) {
@@ -75,7 +74,6 @@ void draw_key(const PlotFrame& frame) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImFont* font = style::fonts().small;
     float x = frame.high().x;
-    const auto curves = curve_looks();
     for (auto look = curves.rbegin(); look != curves.rend(); ++look) {
         const char* const text = tr(look->name);
         const float width = font->CalcTextSizeA(font->FontSize, 1e4F, 0.0F, text).x;
@@ -127,7 +125,6 @@ void ProfilePanel::plot(WidgetRegistry& widgets) {
     const PlotFrame frame("profile.plot", std::move(across), std::move(up), ImGui::GetContentRegionAvail().y, widgets);
     pointed_ = frame.pointed();
     if (!frame.has_room()) return;
-    const auto curves = curve_looks();
     for (auto look = curves.rbegin(); look != curves.rend(); ++look) draw_curve(frame, samples, *look, unit);
     draw_key(frame);
     const ProfileSample* const sample = pointed_ ? nearest_to(samples, *pointed_) : nullptr;

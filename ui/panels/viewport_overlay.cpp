@@ -48,7 +48,7 @@ void Viewport::draw_title(const Pane& pane, const std::string& text) const {
 /// Named at rest only: finding the places takes as long as a picture.
 void Viewport::draw_isolux_labels(const Input& input, const Pane& pane, int k) {
     const ViewOptions look = options_of(input, k);
-    if (!look.isolux || look.scale == Scale::photo || !input.solution || moving()) return;
+    if (!look.isolux || look.values || look.scale == Scale::photo || !input.solution || moving()) return;
     Labels& kept = labels_[k];
     const PixelSize size{static_cast<int>(pane.width), static_cast<int>(pane.height)};
     if (kept.solution != input.solution || kept.camera != pane.camera || kept.options != look || kept.size != size) {

@@ -15,7 +15,7 @@
 namespace hanei {
 namespace {
 
-constexpr float least_width = 230.0F;   // of a table at scale 1
+constexpr float least_width = 160.0F;   // of a table at scale 1
 constexpr double worth_telling = 5e-4;  // of the whole: less is no row, but the first
 
 double whole_of(const Contributions& made) { return made.value.total().value; }
@@ -50,7 +50,7 @@ void WhyPanel::take(std::shared_ptr<const Contributions> made) {
     tables_.clear();
     pointed_.reset();
     if (!made_ || made_->value.inside_solid) return;
-    tables_ = {{"Straight from luminaires", "Direct light, by luminaire", rows_by_luminaire(*made_)},
+    tables_ = {{"From luminaires", "Direct light, by luminaire", rows_by_luminaire(*made_)},
                {"By group", "Direct and interreflected light, by what is dimmed together", rows_by_group(*made_)},
                {"By reflections", "Interreflected light, by how often it was reflected on its way",
                 rows_by_reflections(*made_)},
@@ -71,28 +71,28 @@ std::optional<ObjectId> WhyPanel::draw_table(const Table& table, int number, Wid
     std::optional<ObjectId> clicked;
     const double whole = whole_of(*made_);
     const float scale = style::scale(), line = ImGui::GetTextLineHeight();
-    ImGui::TextColored(style::colour(style::quiet_text), "%s", tr(table.title));
+    ImGui::TextColored(style::colour(style::quiet_text), "%s  %s", tr(table.title), illuminance_unit_name());
     tooltip(tr(table.help));
     double greatest = 0.0;
     for (const ContributionRow& row : table.rows) greatest = std::max(greatest, row.lux);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (std::size_t k = 0; k < table.rows.size(); ++k) {
         const ContributionRow& row = table.rows[k];
-        if (k > 0 && share_of(row.lux, whole) < worth_telling) continue;
+        if (share_of(row.lux, whole) < worth_telling) continue;
         ImGui::PushID(static_cast<int>(k));
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
         const float bar = static_cast<float>(share_of(row.lux, greatest)) * width;
         list.AddRectFilled({at.x, at.y + 1.0F}, {at.x + bar, at.y + line + 3.0F * scale},
-                           IM_COL32(0xF2, 0xB8, 0x4B, 0x44), 2.0F * scale);
+                           (style::accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 0x4A), 2.0F * scale);
         if (ImGui::Selectable("##row", false, 0, {width, line + 3.0F * scale}) && row.object) clicked = row.object;
         if (ImGui::IsItemHovered()) pointed_ = row;
         widgets.note(fmt::format("why.{}.{}", number, row.name));
         const std::string figures =
-            fmt::format("{}   {:.1f} %", illuminance_text(row.lux), 100.0 * share_of(row.lux, whole));
+            fmt::format("{}  {:.1f} %", illuminance_figure(row.lux), 100.0 * share_of(row.lux, whole));
         const float room = ImGui::CalcTextSize(figures.c_str()).x;
         const std::string name = shortened(tr(row.name.c_str()), width - room - 16.0F * scale);
-        tooltip(fmt::format("{}: {}", row.name, figures));
+        tooltip(fmt::format("{}: {}  {:.1f} %", row.name, illuminance_text(row.lux), 100.0 * share_of(row.lux, whole)));
         list.AddText({at.x + 5.0F * scale, at.y + 1.0F}, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
         list.AddText({at.x + width - room - 5.0F * scale, at.y + 1.0F}, ImGui::GetColorU32(ImGuiCol_Text),
                      figures.c_str());
@@ -125,7 +125,7 @@ std::optional<ObjectId> WhyPanel::table(const Scene& scene, WidgetRegistry& widg
                     illuminance_figure(value.interreflected.value),
                     made_->solution->scene.get() == &scene ? "" : std::string(" · ") + tr("before the last change")));
     std::optional<ObjectId> clicked;
-    const float gap = 14.0F * style::scale();
+    const float gap = 12.0F * style::scale();
     const auto count = static_cast<float>(tables_.size());
     const float width =
         std::max(least_width * style::scale(), (ImGui::GetContentRegionAvail().x - (count - 1.0F) * gap) / count);
@@ -168,9 +168,8 @@ void WhyPanel::draw(const PaneSight& sight, WidgetRegistry& /*widgets*/) {
     const float above = from->y - extent.y - 14.0F * scale;
     const float top_edge = above > sight.pane.top ? above : from->y + 12.0F * scale;
     list.AddRectFilled({left - 7.0F * scale, top_edge - 3.0F * scale},
-                       {left + extent.x + 7.0F * scale, top_edge + extent.y + 4.0F * scale}, IM_COL32(20, 22, 26, 225),
-                       4.0F * scale);
-    list.AddText({left, top_edge}, IM_COL32(0xE3, 0xE5, 0xE8, 0xFF), text.c_str());
+                       {left + extent.x + 7.0F * scale, top_edge + extent.y + 4.0F * scale}, style::card, 4.0F * scale);
+    list.AddText({left, top_edge}, style::text, text.c_str());
 }
 
 }  // namespace hanei

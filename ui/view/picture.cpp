@@ -133,7 +133,7 @@ Image render_picture(SolutionSnapshot solution, const PictureRequest& request) {
     Canvas canvas(request.size);
     canvas.fill(paper);
     canvas.picture(room, 0, 0);
-    letter_lines(canvas, *solution, request, view, 0, 0, page.scale);
+    if (!request.options.values) letter_lines(canvas, *solution, request, view, 0, 0, page.scale);
     letter_values(canvas, *solution, request, view, 0, 0, page.scale);
     letter_page(canvas, *solution, request, page);
     return canvas.image();

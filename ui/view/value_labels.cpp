@@ -37,6 +37,11 @@ std::optional<double> part_of(const PointValue& value, LightPart part) {
     return std::nullopt;
 }
 
+/// Two digits: more of an error would say nothing.
+std::string error_text(double error) {
+    return error >= 9.95 ? fmt::format("{:.0f}", error) : fmt::format("{:.2g}", error);
+}
+
 struct Rect {
     Vec2 middle{0.0}, half{0.0};
 };
@@ -122,8 +127,9 @@ void Placer::add_point(const PointResult& point) {
     label.object = point.point;
     label.text = value_text(*lux, look_);
     const std::string_view unit = name_of(look_.unit);
-    label.text = error > 0.0 && error < 1e6 ? fmt::format("{} ± {} {}", label.text, value_text(error, look_.unit), unit)
-                                            : fmt::format("{} {}", label.text, unit);
+    label.text = error > 0.0 && error < 1e6
+                     ? fmt::format("{} ± {} {}", label.text, error_text(error / lux_in(look_.unit)), unit)
+                     : fmt::format("{} {}", label.text, unit);
     const Vec2 half = half_size(label, scale_);
     taken_.push_back({*of, Vec2(6.0 * scale_)});
     for (const double away : {14.0, 34.0, 60.0}) {
