@@ -136,7 +136,7 @@ void ProfilePanel::plot(WidgetRegistry& widgets) {
     if (sample->value.inside_solid) {
         lines.emplace_back(tr("inside furniture"));
     } else {
-        for (const CurveLook& look : curve_looks()) {
+        for (const CurveLook& look : curves) {
             const double lux = look.value(sample->value);
             list.AddCircleFilled(frame.at(sample->along, lux / unit), 3.5F * style::scale(), look.colour);
             lines.push_back(fmt::format("{}  {}", tr(look.name), illuminance_text(lux)));
