@@ -124,7 +124,11 @@ void add_render(CLI::App& app, Arguments& arguments) {
     command->add_option("--out", request.out, "PNG file to write; with --name-template the folder")->required();
     command->add_option("--name-template", request.name_template,
                         "Name of the file: {project} {view} {part} {date} {time} {size} are replaced");
-    command->add_option("--view", request.view, "A saved view by name or number, \"overview\" or \"plan\"");
+    command->add_option("--view", request.view,
+                        "A saved view by name or number, or overview, plan, ceiling-plan, front, back, left, right");
+    command->add_flag("--no-ceiling", request.no_ceiling, "Take the ceiling off, as of a doll's house");
+    command->add_option("--cut", request.cut,
+                        "Section plane: x=2 leaves out what lies beyond x = 2 m, -x=2 what lies before it; y, z alike");
     command->add_option("--size", arguments.render_size, "Size of the picture in pixels")
         ->check(CLI::Validator(check_size, "WxH"));
     command

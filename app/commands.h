@@ -19,6 +19,8 @@ struct SolveRequest {
     std::filesystem::path project;
     std::optional<std::filesystem::path> csv, json;
     SettingsChange change;
+    bool no_ceiling = false;
+    std::string cut{};          ///< "z=1.2": what lies above is left out; "-z=1.2": what lies below; empty: as the view
     std::string light_scene{};  ///< recalled first, by name; empty: the dimmers as they are
 };
 int solve_command(const SolveRequest& request);
@@ -26,7 +28,7 @@ int solve_command(const SolveRequest& request);
 struct RenderRequest {
     std::filesystem::path project, out;
     std::string name_template;  ///< not empty: `out` is a folder, and this names the file in it
-    std::string view;           ///< a saved view by name or number from 1; "overview", "plan"; empty: the first
+    std::string view;           ///< a saved view by name or number from 1; a Standpoint's word; empty: the first
     int width = 1280, height = 800;
     std::string part = "total";  ///< or "four-up", "shadow-classes"
     bool shadow_outlines = false;

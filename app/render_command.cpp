@@ -10,9 +10,12 @@
 #include "ui/panels/picture_name.h"
 #include "ui/view/offscreen.h"
 #include "ui/view/picture_text.h"
+#include "ui/view/standpoint.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -23,14 +26,39 @@ namespace {
 
 std::optional<Camera> camera_for(const RenderRequest& request, const Scene& scene, double aspect) {
     const Bounds bounds = bounds_of(scene);
-    if (request.view == "overview" || (request.view.empty() && scene.views.empty())) return overview(bounds, aspect);
-    if (request.view == "plan") return plan_view(bounds, aspect);
-    if (request.view.empty()) return camera_of(scene.views.front());
+    if (request.view.empty()) return scene.views.empty() ? overview(bounds, aspect) : camera_of(scene.views.front());
+    for (const Standpoint standpoint : standpoints) {
+        if (request.view == word_of(standpoint)) return camera_at(standpoint, bounds, aspect);
+    }
     for (std::size_t k = 0; k < scene.views.size(); ++k) {
         if (scene.views[k].name == request.view || std::to_string(k + 1) == request.view)
             return camera_of(scene.views[k]);
     }
     return std::nullopt;
+}
+
+/// "z=1.2", "-x=0.5"; empty when it is no such plane.
+std::optional<Cut> cut_named(std::string_view text) {
+    const bool before = text.starts_with('-');
+    if (before) text.remove_prefix(1);
+    if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || text[1] != '=') return std::nullopt;
+    Cut cut{Vec3(0.0), 0.0};
+    cut.normal[text[0] - 'x'] = before ? -1.0 : 1.0;
+    const auto [end, fault] = std::from_chars(text.data() + 2, text.data() + text.size(), cut.offset);
+    if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(cut.offset)) return std::nullopt;
+    if (before) cut.offset = -cut.offset;
+    return cut;
+}
+
+/// False when the plane is none; the reason is on stderr.
+bool leave_out(const RenderRequest& request, LeftOut& left_out) {
+    left_out.ceiling |= request.no_ceiling;
+    if (request.cut.empty()) return true;
+    left_out.cut = cut_named(request.cut);
+    if (!left_out.cut)
+        std::fprintf(stderr, "--cut: found \"%s\", allowed is an axis and a place in metres: z=1.2, or -z=1.2\n",
+                     request.cut.c_str());
+    return left_out.cut.has_value();
 }
 
 /// Part, scale and steps by their names, as the options' own check allows them; what is not asked for is
@@ -74,7 +102,8 @@ void print_unknown_luminaire(const std::string& wanted, const Scene& scene) {
 }
 
 void print_unknown_view(const RenderRequest& request, const Scene& scene) {
-    std::fprintf(stderr, "--view: no view \"%s\"; there are overview, plan", request.view.c_str());
+    std::fprintf(stderr, "--view: no view \"%s\"; there are overview, plan, ceiling-plan, front, back, left, right",
+                 request.view.c_str());
     for (const View& view : scene.views) std::fprintf(stderr, ", \"%s\"", view.name.c_str());
     std::fputs("\n", stderr);
 }
@@ -176,6 +205,7 @@ int render_command(const RenderRequest& request) {
         return exit_bad_input;
     }
     picture.camera = *camera;
+    if (!leave_out(request, picture.camera.left_out)) return exit_bad_input;
     const auto luminaire = luminaire_for(request.luminaire, *scene);
     if (!luminaire) {
         print_unknown_luminaire(request.luminaire, *scene);

@@ -11,6 +11,7 @@ layout(location = 7) in vec4 green_values;
 layout(location = 8) in vec4 blue_values;
 
 uniform mat4 to_clip;
+uniform vec4 cuts[2];   // normal and offset of planes: what lies beyond is not drawn
 
 out vec2 flat_place;
 flat out vec4 cell_sides;
@@ -21,8 +22,11 @@ flat out vec4 corner_red;
 flat out vec4 corner_green;
 flat out vec4 corner_blue;
 
+out float gl_ClipDistance[2];
+
 void main() {
     gl_Position = to_clip * vec4(position, 1.0);
+    for (int k = 0; k < 2; ++k) gl_ClipDistance[k] = cuts[k].w - dot(cuts[k].xyz, position);
     flat_place = place_in_cell;
     cell_sides = sides;
     cell_corner = corner;

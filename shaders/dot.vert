@@ -7,6 +7,7 @@ layout(location = 3) in vec2 sizes;   // radius in pixels; greatest radius in me
 layout(location = 4) in vec3 normal;   // of the plane it lies in; zero: none
 
 uniform mat4 to_clip;
+uniform vec4 cuts[2];   // normal and offset of planes: what lies beyond is not drawn
 uniform float pixels_per_metre;   // at depth 1 (w = 1)
 uniform float pixel_scale;
 uniform vec4 eye;                 // w 1: a place; w 0: the direction to it
@@ -15,7 +16,10 @@ flat out vec4 fill;
 flat out vec4 ring;
 flat out float radius;
 
+out float gl_ClipDistance[2];
+
 void main() {
+    for (int k = 0; k < 2; ++k) gl_ClipDistance[k] = cuts[k].w + 1e-4 - dot(cuts[k].xyz, place);
     gl_Position = to_clip * vec4(place, 1.0);
     radius = sizes.x * pixel_scale;
     if (sizes.y > 0.0) radius = clamp(sizes.y * pixels_per_metre / gl_Position.w, 1.2, radius);

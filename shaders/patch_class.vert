@@ -5,12 +5,16 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 surface_colour;   // alpha 0: hatched
 
 uniform mat4 to_clip;
+uniform vec4 cuts[2];   // normal and offset of planes: what lies beyond is not drawn
 
 out vec3 to_light;
 flat out vec4 plain_colour;
 
+out float gl_ClipDistance[2];
+
 void main() {
     gl_Position = to_clip * vec4(position, 1.0);
+    for (int k = 0; k < 2; ++k) gl_ClipDistance[k] = cuts[k].w - dot(cuts[k].xyz, position);
     to_light = normal;
     plain_colour = surface_colour;
 }

@@ -119,6 +119,20 @@ void read_calculation(SceneReader& reader, Fields& root) {
     });
 }
 
+namespace {
+
+std::optional<Cut> read_cut(Fields& root) {
+    const JsonValue* const value = root.take("cut");
+    if (value == nullptr) return std::nullopt;
+    Fields fields(root.reading(), *value, root.path_of("cut"));
+    Cut cut;
+    fields.require("normal", cut.normal, "three numbers [x, y, z], towards what is left out");
+    fields.require("offset", cut.offset, "a number in metres along the normal");
+    return cut;
+}
+
+}  // namespace
+
 void read_views(SceneReader& reader, Fields& root) {
     for_each_object(root, "views", [&](Fields& fields, std::size_t) {
         View view;
@@ -128,6 +142,8 @@ void read_views(SceneReader& reader, Fields& root) {
         fields.require("target", view.target, "three numbers [x, y, z]");
         fields.optional_angle("field_of_view_deg", view.field_of_view);
         fields.optional("orthographic", view.orthographic);
+        fields.optional("hides_ceiling", view.hides_ceiling);
+        view.cut = read_cut(fields);
         view.unknown = fields.unknown();
         reader.scene.views.push_back(std::move(view));
     });

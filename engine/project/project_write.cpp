@@ -109,6 +109,13 @@ JsonValue json_of(const View& view) {
     object.add("target", json_of(view.target));
     object.add("field_of_view_deg", json_scaled(view.field_of_view, degree));
     if (view.orthographic) object.add("orthographic", json_boolean(true));
+    if (view.hides_ceiling) object.add("hides_ceiling", json_boolean(true));
+    if (view.cut) {
+        JsonValue cut = json_object();
+        cut.add("normal", json_of(view.cut->normal));
+        cut.add("offset", json_number(view.cut->offset));
+        object.add("cut", std::move(cut));
+    }
     add_unknown(object, view.unknown);
     return object;
 }

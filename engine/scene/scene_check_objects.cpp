@@ -52,12 +52,22 @@ void check_point(SceneChecks& checks, const CalculationPoint& point, std::size_t
         object.error("normal", "the normal is " + figure(length) + " long, it must be 1; divide it by its length");
 }
 
+void check_cut(ObjectFindings& object, const View& view) {
+    constexpr double unit = 1e-9;  // as of calculation points
+    if (!view.cut || !object.finite("cut.normal", view.cut->normal)) return;
+    object.finite("cut.offset", {view.cut->offset});
+    const double length = glm::length(view.cut->normal);
+    if (std::abs(length - 1.0) > unit)
+        object.error("cut.normal", "the normal is " + figure(length) + " long, it must be 1; divide it by its length");
+}
+
 void check_view(SceneChecks& checks, const View& view, std::size_t index) {
     ObjectFindings object = checks.about("views", index, "view", view.name, view.id);
     checks.check_id(object, view.id);
     const bool finite = object.finite("eye", view.eye) && object.finite("target", view.target);
     if (finite && glm::distance(view.eye, view.target) <= 0.0)
         object.error("target", "eye and target are the same place; move one of them");
+    check_cut(object, view);
     if (!object.finite("field_of_view_deg", {view.field_of_view})) return;
     if (!(view.field_of_view > 0.0 && view.field_of_view < std::numbers::pi))
         object.error("field_of_view_deg", "found " + figure(view.field_of_view * 180.0 / std::numbers::pi) +

@@ -136,5 +136,37 @@ TEST(Views, the_projection_changes_and_what_is_in_the_middle_keeps_its_size) {
     EXPECT_TRUE(view(driver).camera == before);
 }
 
+TEST(Views, the_ceiling_and_a_section_are_kept_with_a_view_and_recalled) {
+    Driver driver(setup());
+    EXPECT_DONE(driver.press("U"));
+    EXPECT_DONE(driver.press("K"));
+    ASSERT_TRUE(view(driver).camera.left_out.cut);
+    EXPECT_DONE(driver.drag("section.handle", 0.0F, -30.0F));
+    const LeftOut left_out = view(driver).camera.left_out;
+    EXPECT_GT(left_out.cut->offset, 1.25) << "dragged up";
+    EXPECT_DONE(driver.press("Ctrl+K"));
+    EXPECT_EQ(state(driver, "undo"), "Keep view");
+    EXPECT_DONE(driver.press("Ctrl+1"));
+    EXPECT_FALSE(view(driver).camera.left_out == left_out);
+    EXPECT_DONE(driver.press("Ctrl+5"));  // the room has four of its own
+    EXPECT_TRUE(view(driver).camera.left_out == left_out);
+    EXPECT_DONE(driver.click("view.views"));
+    EXPECT_DONE(driver.click("section.on"));
+    EXPECT_FALSE(view(driver).camera.left_out.cut);
+    EXPECT_TRUE(view(driver).camera.left_out.ceiling);
+}
+
+TEST(Views, framing_shows_what_is_selected_from_the_same_direction) {
+    Driver driver(setup());
+    const Vec3 forward = axes_of(view(driver).camera).forward;
+    EXPECT_DONE(driver.click("tree.Cooler"));
+    EXPECT_DONE(driver.press("F"));
+    EXPECT_LT(glm::distance(axes_of(view(driver).camera).forward, forward), 1e-6);
+    EXPECT_LT(picture_height_at(view(driver).camera, view(driver).camera.target), 3.0) << "as large as can be";
+    const auto at = driver.workbench().viewport().on_screen(place(driver, "Cooler"));
+    ASSERT_TRUE(at);
+    EXPECT_TRUE(view(driver).panes.pane(0).holds(*at));
+}
+
 }  // namespace
 }  // namespace hanei

@@ -1,5 +1,8 @@
 #include "engine/edit/edit.h"
 #include "engine/edit/luminaire_edits.h"
+#include "engine/edit/several.h"
+#include "ui/panels/saved_views.h"
+#include "ui/panels/section.h"
 #include "ui/panels/workbench.h"
 
 #include <array>
@@ -38,10 +41,43 @@ constexpr std::array table{
             "To scale",
             "Parallel projection in place of perspective, and back; what is in the middle keeps its size",
             {Key::keypad_5}},
-    Command{look_at_selection, "view.look", "View", "Centre on selection", "Turn about the selected object",
-            plain('F')},
+    Command{look_at_selection,
+            "view.look",
+            "View",
+            "Frame the selection",
+            "Show what is selected as large as can be, and turn about it",
+            plain('F'),
+            {Key::keypad_decimal}},
+    Command{toggle_ceiling,
+            "view.ceiling",
+            "View",
+            "Without ceiling",
+            "Take the ceiling off, as of a doll's house; luminaires stay where they hang",
+            plain('U'),
+            {},
+            true},
+    Command{toggle_section_plane, "view.section", "View", "Section plane",
+            "Leave out what lies before a plane; its handle moves it in the picture, Views holds its axis", plain('K')},
     Command{save_view, "view.save", "View", "Keep this view", "Add the present camera to the project's views",
             control('K')},
+    Command{recall_view_1, "view.recall_1", "", "Recall view 1", "Look from the view that was kept as number 1",
+            control('1')},
+    Command{recall_view_2, "view.recall_2", "", "Recall view 2", "Look from the view that was kept as number 2",
+            control('2')},
+    Command{recall_view_3, "view.recall_3", "", "Recall view 3", "Look from the view that was kept as number 3",
+            control('3')},
+    Command{recall_view_4, "view.recall_4", "", "Recall view 4", "Look from the view that was kept as number 4",
+            control('4')},
+    Command{recall_view_5, "view.recall_5", "", "Recall view 5", "Look from the view that was kept as number 5",
+            control('5')},
+    Command{recall_view_6, "view.recall_6", "", "Recall view 6", "Look from the view that was kept as number 6",
+            control('6')},
+    Command{recall_view_7, "view.recall_7", "", "Recall view 7", "Look from the view that was kept as number 7",
+            control('7')},
+    Command{recall_view_8, "view.recall_8", "", "Recall view 8", "Look from the view that was kept as number 8",
+            control('8')},
+    Command{recall_view_9, "view.recall_9", "", "Recall view 9", "Look from the view that was kept as number 9",
+            control('9')},
     Command{split_view,
             "view.split",
             "View",
@@ -87,14 +123,21 @@ constexpr std::array table{
             plain('R')},
 };
 
+/// The number of the view that a command recalls, from 0.
+std::optional<std::size_t> recalled(CommandId id) {
+    if (id < recall_view_1 || id > recall_view_9) return std::nullopt;
+    return static_cast<std::size_t>(id) - static_cast<std::size_t>(recall_view_1);
+}
+
 }  // namespace
 
 std::span<const Command> view_menu() { return table; }
 
 bool Workbench::can_view(CommandId id) const {
+    if (const std::optional<std::size_t> number = recalled(id)) return *number < document_.shown()->views.size();
     switch (id) {
         case CommandId::look_at_selection:
-            return place_of(*document_.shown(), selection_.primary()).has_value();
+            return bounds_of_objects(*document_.shown(), selection_.ids()).has_value();
         case CommandId::fit_range:
             return study_.solution() != nullptr;
         default:
@@ -105,6 +148,10 @@ bool Workbench::can_view(CommandId id) const {
 void Workbench::do_view(CommandId id) {
     const Scene& scene = *document_.shown();
     ViewState& view = viewport_.state;
+    if (const std::optional<std::size_t> number = recalled(id)) {
+        view.camera = camera_of(scene.views[*number]);
+        return;
+    }
     switch (id) {
         case CommandId::show_overview:
             return viewport_.look_from(Standpoint::overview, scene);
@@ -128,13 +175,15 @@ void Workbench::do_view(CommandId id) {
         case CommandId::four_views:
             return view.toggle(PaneLayout::four, scene);
         case CommandId::look_at_selection:
-            return viewport_.look_at(*place_of(scene, selection_.primary()));
+            return viewport_.frame(*bounds_of_objects(scene, selection_.ids()));
+        case CommandId::toggle_ceiling:
+            view.camera.left_out.ceiling = !view.camera.left_out.ceiling;
+            return;
+        case CommandId::toggle_section_plane:
+            return toggle_section(view.camera, bounds_of(scene));
         case CommandId::save_view: {
-            Scene wished = scene;
-            View kept = view_of(view.camera, "View " + std::to_string(scene.views.size() + 1));
-            kept.id = wished.new_id();
-            wished.views.push_back(std::move(kept));
-            document_.commit(std::move(wished), "Keep view");
+            ViewEdit kept = with_kept_view(scene, view.camera);
+            document_.commit(std::move(kept.scene), kept.step);
             return;
         }
         case CommandId::part_total:

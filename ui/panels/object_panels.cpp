@@ -58,6 +58,8 @@ std::optional<Scene> view_panel(const Scene& scene, ObjectId id, Form& form) {
             angle_row({"view.angle", "Field of view", "°", "Vertical", 1.0, 170.0, 0.2, 1}, view.field_of_view, form);
         changed |= form.toggle("view.orthographic", "To scale", "Parallel projection instead of perspective",
                                view.orthographic);
+        changed |= form.toggle("view.hides_ceiling", "Without ceiling",
+                               "The ceiling is taken off, as of a doll's house", view.hides_ceiling);
         form.heading("Eye");
         changed |= place_rows("view.eye", view.eye, form);
         form.heading("Looks at");

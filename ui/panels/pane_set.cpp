@@ -117,12 +117,16 @@ void PaneSet::fit(Slot& slot, const Pane& pane, const Bounds& bounds, float cove
     const double share = pane.width > 2.0F * covered ? static_cast<double>(covered / pane.height) : 0.0;
     slot.shape = {pane.width, pane.height};
     const Camera fitted = camera_at(*slot.standpoint, bounds, pane.aspect() - share);
-    slot.camera = slot.given = panned(fitted, {-0.5 * share, 0.0}, pane.aspect());
+    const LeftOut left_out = slot.camera.left_out;
+    slot.camera = panned(fitted, {-0.5 * share, 0.0}, pane.aspect());
+    slot.camera.left_out = left_out;
+    slot.given = slot.camera;
 }
 
 void PaneSet::look_from(Standpoint standpoint, Camera& present, const Bounds& bounds, float covered) {
     Slot& slot = slots()[index(active_)];
     slot.standpoint = standpoint;
+    slot.camera = present;
     fit(slot, active_pane(), bounds, covered);
     present = slot.camera;
 }
@@ -132,6 +136,7 @@ void PaneSet::follow_shapes(Camera& present, const Bounds& bounds, float covered
     for (int k = 0; k < (is_divided() ? count() : 1); ++k) {
         Slot& slot = slots()[index(k)];
         const bool reshaped = slot.shape != Vec2(pane(k).width, pane(k).height);
+        slot.given.left_out = slot.camera.left_out;  // no change of place
         if (reshaped && slot.standpoint && slot.camera == slot.given) fit(slot, pane(k), bounds, covered);
     }
     present = slots()[index(active_)].camera;

@@ -3,6 +3,8 @@
 #include "engine/edit/edit.h"
 #include "ui/panels/command.h"
 #include "ui/panels/form.h"
+#include "ui/panels/language.h"
+#include "ui/panels/section.h"
 #include "ui/panels/style.h"
 
 #include <array>
@@ -96,23 +98,22 @@ void shadows(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
     if (segment("Outlines", outlines, CommandId::toggle_shadow_outlines, widgets)) outlines = !outlines;
 }
 
-void views_menu(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
-    if (ImGui::Button("Views")) ImGui::OpenPopup("views");
+std::optional<ViewEdit> views_menu(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
+    if (ImGui::Button(tr("Views"))) ImGui::OpenPopup("views");
     widgets.note("view.views");
-    tooltip("Cameras kept with the project. Ctrl+K keeps the present one");
-    if (!ImGui::BeginPopup("views")) return;
-    if (scene.views.empty()) ImGui::TextDisabled("None kept yet (Ctrl+K)");
-    for (const View& view : scene.views) {
-        const std::string name = display_name(scene, view.id);
-        if (ImGui::MenuItem((name + "##" + std::to_string(view.id.value)).c_str())) state.camera = camera_of(view);
-        widgets.note("views." + name);
-    }
+    tooltip(tr("Ceiling, section plane, and cameras kept with the project. Ctrl+K keeps the present one"));
+    if (!ImGui::BeginPopup("views")) return std::nullopt;
+    section_rows(state.camera, bounds_of(scene), widgets);
+    ImGui::Separator();
+    std::optional<ViewEdit> edit = saved_view_rows(state, scene, widgets);
     ImGui::EndPopup();
+    return edit;
 }
 
 }  // namespace
 
-void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution, WidgetRegistry& widgets) {
+std::optional<ViewEdit> view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution,
+                                 WidgetRegistry& widgets) {
     ImGui::PushStyleColor(ImGuiCol_Button, style::none);
     parts(state, scene, widgets);
     gap();
@@ -130,8 +131,9 @@ void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solu
     gap();
     scale_menu(state, solution, widgets);
     ImGui::SameLine(0.0F, 2.0F * style::scale());
-    views_menu(state, scene, widgets);
+    std::optional<ViewEdit> edit = views_menu(state, scene, widgets);
     ImGui::PopStyleColor();
+    return edit;
 }
 
 }  // namespace hanei

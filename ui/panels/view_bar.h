@@ -1,12 +1,15 @@
 /// The row above the view (which light, in which colours) and the scale over it.
 #pragma once
 
+#include "ui/panels/saved_views.h"
 #include "ui/panels/viewport.h"
 #include "ui/panels/widget_registry.h"
 
 namespace hanei {
 
-void view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution, WidgetRegistry& widgets);
+/// Returns   the scene with its kept views changed, when that was asked for.
+std::optional<ViewEdit> view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution,
+                                 WidgetRegistry& widgets);
 
 /// Pixels that the scale takes at the right of the view.
 float legend_margin();

@@ -19,10 +19,7 @@ float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
-void Viewport::look_at(const Vec3& place) {
-    state.camera.eye += place - state.camera.target;
-    state.camera.target = place;
-}
+void Viewport::frame(const Bounds& bounds) { state.camera = fitted(state.camera, bounds, aspect()); }
 
 Viewport::Pointed Viewport::pointed(const Scene& scene, ImVec2 at) const {
     const std::optional<int> under = state.panes.under(at);
@@ -99,6 +96,7 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
             tool_->draw(sight_of(input, k, hovered), widgets);
         else
             draw_handles(input, each, widgets);
+        draw_section(input, k, widgets);
         draw_list.PopClipRect();
     }
     draw_pane_frames(input, all, widgets);

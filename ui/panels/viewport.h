@@ -93,7 +93,7 @@ public:
     float right_margin = 0.0F;
 
     void look_from(Standpoint standpoint, const Scene& scene);
-    void look_at(const Vec3& place);
+    void frame(const Bounds& bounds);  ///< all of it as large as can be, from the present direction
 
 private:
     struct Drag {
@@ -111,6 +111,7 @@ private:
     void draw_pane_frames(const Input& input, const ScreenRect& all, WidgetRegistry& widgets);
     void draw_pane_title(const Input& input, int k, WidgetRegistry& widgets);
     void pane_menu(const Input& input, int k, WidgetRegistry& widgets);
+    void draw_section(const Input& input, int k, WidgetRegistry& widgets);
     void draw_dividers(const ScreenRect& all, WidgetRegistry& widgets);
     Outcome handle_mouse(const Input& input, bool hovered);
     Outcome handle_press(const Input& input, const Pane& pane);

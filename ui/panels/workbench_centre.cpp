@@ -13,7 +13,8 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * scale, 6.0F * scale});
     begin_panel("##bar", {area.left, area.top, area.right, area.top + bar});
     ImGui::PopStyleVar();
-    view_bar(viewport_.state, *document_.shown(), study_.solution(), widgets_);
+    if (auto edit = view_bar(viewport_.state, *document_.shown(), study_.solution(), widgets_))
+        document_.commit(std::move(edit->scene), edit->step);
     end_panel();
     const ScreenRect view{area.left, area.top + bar, area.right, area.bottom};
     ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);

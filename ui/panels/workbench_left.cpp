@@ -11,7 +11,11 @@ void Workbench::left(const ScreenRect& area) {
     movable_edge(Edge::right, area, preferences_.left_width, 140.0F, 420.0F);
     headline(tr("Objects"), "");
     ImGui::BeginChild("tree");
-    if (const auto clicked = tree_.draw(*document_.shown(), selection_, widgets_).chosen) selection_ = *clicked;
+    if (const auto clicked = tree_.draw(*document_.shown(), selection_, widgets_).chosen) {
+        selection_ = *clicked;
+        for (const View& view : document_.shown()->views)
+            if (view.id == selection_.primary()) viewport_.state.camera = camera_of(view);
+    }
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemHovered())
         selection_.clear();
     ImGui::EndChild();

@@ -30,6 +30,8 @@ void Workbench::menu_bar() {
             (entry.id == CommandId::four_up && viewport_.state.panes.shows_parts()) ||
             (entry.id == CommandId::split_view && viewport_.state.panes.layout() == PaneLayout::split) ||
             (entry.id == CommandId::four_views && viewport_.state.panes.layout() == PaneLayout::four) ||
+            (entry.id == CommandId::toggle_ceiling && viewport_.state.camera.left_out.ceiling) ||
+            (entry.id == CommandId::toggle_section_plane && viewport_.state.camera.left_out.cut) ||
             (entry.id == CommandId::toggle_orthographic && viewport_.state.camera.orthographic) ||
             (entry.id == CommandId::toggle_shadow_classes && viewport_.state.options.shadow_classes) ||
             (entry.id == CommandId::toggle_shadow_outlines && viewport_.state.options.shadow_outlines) ||

@@ -87,7 +87,9 @@ bool is_mirrored(const Camera& camera) {
     return camera.orthographic && towards.z > 0.0 && std::hypot(towards.x, towards.y) <= upright_slack * towards.z;
 }
 
-Camera camera_of(const View& view) { return {view.eye, view.target, view.field_of_view, view.orthographic}; }
+Camera camera_of(const View& view) {
+    return {view.eye, view.target, view.field_of_view, view.orthographic, {view.hides_ceiling, view.cut}};
+}
 
 View view_of(const Camera& camera, std::string name) {
     View view;
@@ -96,6 +98,8 @@ View view_of(const Camera& camera, std::string name) {
     view.target = camera.target;
     view.field_of_view = camera.field_of_view;
     view.orthographic = camera.orthographic;
+    view.hides_ceiling = camera.left_out.ceiling;
+    view.cut = camera.left_out.cut;
     return view;
 }
 
@@ -167,8 +171,8 @@ Ray ray_through(const Camera& camera, Vec2 at, double aspect) {
     const CameraAxes axes = axes_of(camera);
     const double half = half_height(camera);
     const Vec3 aside = (2.0 * at.x - 1.0) * aspect * half * axes.right + (1.0 - 2.0 * at.y) * half * axes.up;
-    if (camera.orthographic) return {camera.eye + aside * distance_to_target(camera), axes.forward};
-    return {camera.eye, glm::normalize(axes.forward + aside)};
+    if (camera.orthographic) return {camera.eye + aside * distance_to_target(camera), axes.forward, camera.left_out};
+    return {camera.eye, glm::normalize(axes.forward + aside), camera.left_out};
 }
 
 std::optional<Vec2> projected(const Camera& camera, const Vec3& place, double aspect) {

@@ -9,17 +9,26 @@
 
 namespace hanei {
 
+/// What of a room is not drawn (left_out.h says what follows from it).
+struct LeftOut {
+    bool ceiling = false;
+    std::optional<Cut> cut{};
+    bool operator==(const LeftOut&) const = default;
+};
+
 struct Camera {
     Vec3 eye{0.0};
     Vec3 target{0.0};
     double field_of_view = 0.9;  ///< rad, vertical
     bool orthographic = false;   ///< then the picture is as high as the field of view at the target
+    LeftOut left_out{};
     bool operator==(const Camera&) const = default;
 };
 
 struct Ray {
     Vec3 origin{0.0};
     Vec3 direction{0.0, 0.0, -1.0};  ///< unit
+    LeftOut left_out{};              ///< of the picture it looks through
 };
 
 /// The camera's own axes: a right-handed frame with `back` = right x up.

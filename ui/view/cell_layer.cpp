@@ -166,6 +166,7 @@ void CellLayer::draw(const Pass& pass, const ViewOptions& look) {
     if (look.part != loaded_) load_values(look.part);
     program_.use();
     program_.set("to_clip", pass.to_clip);
+    program_.set("cuts", std::span<const glm::vec4>(pass.cuts));
     if (look.scale == Scale::photo && !automatic_exposure_) automatic_exposure_ = automatic_exposure(*solution_);
     program_.set("photo", look.scale == Scale::photo ? 1 : 0);
     set_difference(look);

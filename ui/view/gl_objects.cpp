@@ -55,6 +55,11 @@ void Program::set(const char* name, const glm::vec4& value) const {
 void Program::set(const char* name, const glm::mat4& value) const {
     glUniformMatrix4fv(glGetUniformLocation(id_, name), 1, GL_FALSE, glm::value_ptr(value));
 }
+void Program::set(const char* name, std::span<const glm::vec4> values) const {
+    if (!values.empty())
+        glUniform4fv(glGetUniformLocation(id_, name), static_cast<GLsizei>(values.size()), &values.front().x);
+}
+
 void Program::set(const char* name, std::span<const float> values) const {
     if (values.empty()) return;
     glUniform1fv(glGetUniformLocation(id_, name), static_cast<GLsizei>(values.size()), values.data());

@@ -26,6 +26,7 @@ public:
     void set(const char* name, const glm::vec4& value) const;
     void set(const char* name, const glm::mat4& value) const;
     void set(const char* name, std::span<const float> values) const;
+    void set(const char* name, std::span<const glm::vec4> values) const;
 
 private:
     GLuint id_ = 0;

@@ -4,8 +4,10 @@
 
 #include "ui/view/gl_objects.h"
 #include "ui/view/image.h"
+#include "ui/view/left_out.h"
 #include "ui/view/marks.h"
 
+#include <array>
 #include <optional>
 
 namespace hanei {
@@ -16,7 +18,8 @@ struct Pass {
     glm::vec4 eye{0.0F};  ///< w 1: a place; w 0: the direction towards the eye
     glm::vec2 size{1.0F};
     float pixel_scale = 1.0F;
-    float pixels_per_metre = 1.0F;  ///< at depth 1
+    float pixels_per_metre = 1.0F;    ///< at depth 1
+    std::array<glm::vec4, 2> cuts{};  ///< normals and offsets; clip distances 0 and 1 are on while they count
 };
 
 /// The light: cells interpolated bilinearly.
@@ -102,6 +105,20 @@ private:
     ObjectId of_;
     bool patches_loaded_ = false, lines_loaded_ = false;
     float lines_scale_ = 0.0F;
+};
+
+/// Furniture where it is cut: dark and hatched, as in drawings; and the cut room as lines.
+class SectionLayer {
+public:
+    SectionLayer();
+    void set(const Scene* scene, const CutPlanes& planes, float pixel_scale);
+    void draw(const Pass& pass) const;
+    void draw_lines(const Pass& pass) const;
+
+private:
+    gl::Program program_;
+    gl::Vertices sections_;
+    LineLayer lines_;
 };
 
 class DotLayer {

@@ -23,6 +23,7 @@ SolidLayer::SolidLayer() : program_(shaders::solid_vert, shaders::solid_frag) {
 void SolidLayer::draw(const Pass& pass, float shading) const {
     program_.use();
     program_.set("to_clip", pass.to_clip);
+    program_.set("cuts", std::span<const glm::vec4>(pass.cuts));
     program_.set("shading", shading);
     vertices_.draw_triangles();
 }
@@ -55,6 +56,7 @@ void LineLayer::set(const std::vector<LineMark>& lines, float pixel_scale) {
 void LineLayer::draw(const Pass& pass, float lift) const {
     program_.use();
     program_.set("to_clip", pass.to_clip);
+    program_.set("cuts", std::span<const glm::vec4>(pass.cuts));
     program_.set("picture_size", pass.size);
     program_.set("eye", pass.eye);
     program_.set("pixels_per_metre", pass.pixels_per_metre);
@@ -73,6 +75,7 @@ DotLayer::DotLayer() : program_(shaders::dot_vert, shaders::dot_frag) {
 void DotLayer::draw(const Pass& pass) const {
     program_.use();
     program_.set("to_clip", pass.to_clip);
+    program_.set("cuts", std::span<const glm::vec4>(pass.cuts));
     program_.set("pixels_per_metre", pass.pixels_per_metre);
     program_.set("pixel_scale", pass.pixel_scale);
     program_.set("eye", pass.eye);

@@ -3,6 +3,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/scene/faces.h"
 #include "ui/view/cell_field.h"
+#include "ui/view/left_out.h"
 #include "ui/view/luminaire_shape.h"
 
 #include <algorithm>
@@ -31,20 +32,21 @@ bool inside(const Polygon& convex, const Vec3& normal, const Vec3& place) {
     return true;
 }
 
-double distance_to(const Ray& ray, const Polygon& convex) {
+double distance_to(const Ray& ray, const Polygon& convex, const CutPlanes& planes) {
     const Vec3 normal = unit_normal(convex);
     if (convex.size() < 3 || normal == Vec3(0.0)) return never;
     const double distance = distance_to_plane(ray, convex.front(), normal);
-    if (distance == never || !inside(convex, normal, ray.origin + distance * ray.direction)) return never;
-    return distance;
+    if (distance == never) return never;
+    const Vec3 place = ray.origin + distance * ray.direction;
+    return planes.keeps(place) && inside(convex, normal, place) ? distance : never;
 }
 
-double distance_to(const Ray& ray, const Solid& solid) {
+double distance_to(const Ray& ray, const Solid& solid, const CutPlanes& planes) {
     double nearest = never;
     for (const std::vector<int>& face : solid.faces) {
         Polygon outline;
         for (const int vertex : face) outline.push_back(solid.vertices[static_cast<std::size_t>(vertex)]);
-        nearest = std::min(nearest, distance_to(ray, outline));
+        nearest = std::min(nearest, distance_to(ray, outline, planes));
     }
     return nearest;
 }
@@ -84,14 +86,19 @@ struct Found {
 class Pointer {
 public:
     Pointer(const Scene& scene, const Camera& camera, Vec2 at, double aspect)
-        : scene_(scene), camera_(camera), at_(at), aspect_(aspect), ray_(ray_through(camera, at, aspect)) {}
+        : scene_(scene),
+          camera_(camera),
+          at_(at),
+          aspect_(aspect),
+          ray_(ray_through(camera, at, aspect)),
+          planes_(camera.left_out, &scene) {}
 
     Found solids() const {
         Found found;
-        for (const Solid& solid : solids_of(scene_)) found.offer(solid.object, distance_to(ray_, solid));
+        for (const Solid& solid : solids_of(scene_)) found.offer(solid.object, distance_to(ray_, solid, planes_));
         for (const FreeSurface& surface : scene_.surfaces) {
             for (const Polygon& piece : convex_pieces(surface.region))
-                found.offer(surface.id, distance_to(ray_, piece));
+                found.offer(surface.id, distance_to(ray_, piece, planes_));
         }
         return found;
     }
@@ -106,7 +113,8 @@ public:
     Found points() const {
         Found found;
         for (const CalculationPoint& point : scene_.points) {
-            if (caught(point.position, point.position)) found.offer(point.id, depth_of(point.position));
+            if (planes_.keeps(point.position) && caught(point.position, point.position))
+                found.offer(point.id, depth_of(point.position));
         }
         return found;
     }
@@ -118,7 +126,7 @@ public:
             const bool of_room = scene_.room && face.ref.object == scene_.room->id;
             if (!of_room || glm::dot(face.normal, ray_.direction) >= 0.0) continue;
             for (const Polygon& piece : convex_pieces(face.region)) {
-                nearest = std::min(nearest, distance_to(ray_, piece));
+                nearest = std::min(nearest, distance_to(ray_, piece, planes_));
             }
         }
         return nearest;
@@ -132,9 +140,10 @@ private:
     }
 
     double distance_to_luminaire(const Luminaire& luminaire) const {
+        if (!CutPlanes::is_kept(planes_.cut, luminaire.position)) return never;
         const LuminaireShape shape = shape_of(luminaire, scene_);
         double nearest = never;
-        for (const Polygon& polygon : shape.shining) nearest = std::min(nearest, distance_to(ray_, polygon));
+        for (const Polygon& polygon : shape.shining) nearest = std::min(nearest, distance_to(ray_, polygon, {}));
         if (nearest < never) return nearest;
         for (const auto& [from, to] : shape.outline) {
             if (caught(from, to)) nearest = std::min(nearest, depth_of(0.5 * (from + to)));
@@ -151,6 +160,7 @@ private:
     Vec2 at_;
     double aspect_;
     Ray ray_;
+    CutPlanes planes_;
 };
 
 }  // namespace
@@ -158,6 +168,7 @@ private:
 std::optional<SurfaceHit> hit(const Solution& solution, const Ray& ray) {
     if (solution.display == nullptr || solution.mesh == nullptr) return std::nullopt;
     const DisplayMesh& display = *solution.display;
+    const CutPlanes planes(ray.left_out, solution.scene.get());
     std::optional<SurfaceHit> nearest;
     for (std::uint32_t k = 0; k < display.cells.size(); ++k) {
         const DisplayCell& cell = display.cells[k];
@@ -166,7 +177,7 @@ std::optional<SurfaceHit> hit(const Solution& solution, const Ray& ray) {
         const double distance = distance_to_plane(ray, display.vertices[cell.corner[0]].position, face.normal);
         if (distance == never || (nearest && distance >= nearest->distance)) continue;
         const Vec3 place = ray.origin + distance * ray.direction;
-        if (!near_cell(display, cell, place)) continue;
+        if (!planes.keeps(place) || !near_cell(display, cell, place)) continue;
         const CellFrame frame = frame_of(solution, cell);
         const Vec2 flat = frame.flat(place);
         if (!contains(frame, flat)) continue;
@@ -182,16 +193,20 @@ std::optional<SurfaceHit> hit(const Solution& solution, const Ray& ray) {
                              value(LightPart::interreflected),
                              value(LightPart::unshadowed)};
     }
+    if (nearest && planes.any() && solution.scene != nullptr &&
+        meets_section(*solution.scene, planes, ray, nearest->distance))
+        return std::nullopt;
     return nearest;
 }
 
 std::optional<FaceHit> first_face(const Scene& scene, const Ray& ray) {
+    const CutPlanes planes(ray.left_out, &scene);
     std::optional<FaceHit> first;
     double nearest = never;
     for (const Face& face : faces_of(scene)) {
         if (glm::dot(face.normal, ray.direction) >= 0.0) continue;
         for (const Polygon& piece : convex_pieces(face.region)) {
-            const double distance = distance_to(ray, piece);
+            const double distance = distance_to(ray, piece, planes);
             if (distance >= nearest) continue;
             nearest = distance;
             first = FaceHit{ray.origin + distance * ray.direction, face.normal};

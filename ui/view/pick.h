@@ -23,7 +23,8 @@ struct SurfaceHit {
     double total() const { return direct + interreflected; }
 };
 
-/// The nearest surface whose lit side the ray meets; backs are looked through, as in the picture.
+/// The nearest surface whose lit side the ray meets; backs are looked through, and what the ray's
+/// picture leaves out is not there, as in the picture. Nothing where furniture is cut before it.
 /// Cost      linear in the cells: 0.5 ms for 20 000.
 std::optional<SurfaceHit> hit(const Solution& solution, const Ray& ray);
 

@@ -16,12 +16,34 @@ constexpr double usual_height = 900.0;
 
 Bounds joined(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
-Pass pass_of(const Camera& camera, PixelSize size, const Bounds& bounds) {
+glm::vec4 packed(const std::optional<Cut>& plane) {
+    return plane ? glm::vec4(glm::vec3(plane->normal), static_cast<float>(plane->offset)) : glm::vec4(0.0F);
+}
+
+/// What is drawn between is cut at a plane; `which` counts as in Pass::cuts.
+class Clipped {
+public:
+    Clipped(bool on, GLenum which) : on_(on), which_(GL_CLIP_DISTANCE0 + which) {
+        if (on_) glEnable(which_);
+    }
+    ~Clipped() {
+        if (on_) glDisable(which_);
+    }
+    Clipped(const Clipped&) = delete;
+    Clipped& operator=(const Clipped&) = delete;
+
+private:
+    bool on_;
+    GLenum which_;
+};
+
+Pass pass_of(const Camera& camera, PixelSize size, const Bounds& bounds, const CutPlanes& planes) {
     Pass pass;
     pass.to_clip = glm::mat4(view_projection(camera, size.aspect(), bounds));
     pass.eye = camera.orthographic ? glm::vec4(-axes_of(camera).forward, 0.0F) : glm::vec4(camera.eye, 1.0F);
     pass.size = glm::vec2(size.width, size.height);
     pass.pixel_scale = static_cast<float>(std::max(0.6, size.height / usual_height));
+    pass.cuts = {packed(planes.cut), packed(planes.ceiling)};
     const double distance = camera.orthographic ? glm::length(camera.target - camera.eye) : 1.0;
     pass.pixels_per_metre = static_cast<float>(size.height / (2.0 * distance * std::tan(0.5 * camera.field_of_view)));
     return pass;
@@ -49,7 +71,11 @@ struct Renderer::Buffers {
     SolutionSnapshot solution;
     Bounds bounds;
     float edge_scale = 0.0F;  ///< pixel scale that the standing lines were made for
+    float sections_scale = 0.0F;
     bool mesh_loaded = false;
+    CutPlanes planes;              ///< of the picture that is drawn
+    CutPlanes sections_of_planes;  ///< that the sections were made for
+    SceneSnapshot sections_of_scene;
     Background background;
     CellLayer cells;
     ShadowLayer shadows;
@@ -57,6 +83,7 @@ struct Renderer::Buffers {
     SolidLayer plain, sub_areas, openings, opening_backs;
     LineLayer edges, mesh, outlines, tubes, highlight_lines;
     DotLayer luminaire_dots, calculation, highlight_dots;
+    SectionLayer sections;
 
     void find_bounds() {
         bounds = scene != nullptr ? bounds_of(*scene) : Bounds{};
@@ -89,6 +116,18 @@ struct Renderer::Buffers {
         mesh_loaded = true;
     }
 
+    void draw_sections(const Pass& pass) {
+        if (!planes.any()) return;
+        const Scene* shown = shown_scene();
+        const SceneSnapshot of = scene != nullptr ? scene : solution != nullptr ? solution->scene : nullptr;
+        if (!(sections_of_planes == planes) || sections_of_scene != of || sections_scale != pass.pixel_scale)
+            sections.set(shown, planes, pass.pixel_scale);
+        sections_of_planes = planes;
+        sections_of_scene = of;
+        sections_scale = pass.pixel_scale;
+        sections.draw(pass);
+    }
+
     /// The picture, and the surfaces' depth alone for what is drawn over it.
     void draw_room(const Pass& pass, const ViewOptions& look, const Image& room) {
         glDisable(GL_DEPTH_TEST);
@@ -102,6 +141,7 @@ struct Renderer::Buffers {
     }
 
     void draw_surfaces(const Pass& pass, const ViewOptions& look) {
+        const Clipped open(planes.ceiling.has_value(), 1);
         glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
         if (look.shadow_classes && shadows.has_any()) {
@@ -202,7 +242,9 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
     glEnable(GL_PROGRAM_POINT_SIZE);
     glFrontFace(is_mirrored(camera) ? GL_CW : GL_CCW);
 
-    const Pass pass = pass_of(camera, size, b.bounds);
+    b.planes = CutPlanes(camera.left_out, b.shown_scene());
+    const Pass pass = pass_of(camera, size, b.bounds, b.planes);
+    const Clipped cut(b.planes.cut.has_value(), 0);
     if (b.edge_scale != pass.pixel_scale) b.load_lines(pass.pixel_scale);
     if (room != nullptr) {
         HANEI_CHECK(room->width == size.width && room->height == size.height);
@@ -210,15 +252,21 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
     } else {
         b.draw_surfaces(pass, look);
     }
+    b.draw_sections(pass);
     const bool outlined = room == nullptr || look.scale != Scale::photo;  // an exact photo has no drawn lines
     if (look.luminaires) b.draw_luminaires(pass, outlined);
     blend(true);
     if (outlined) b.edges.draw(pass, edge_lift);
+    if (b.planes.any()) b.sections.draw_lines(pass);
     if (look.mesh_lines || look.shadow_classes) {
+        const Clipped open(b.planes.ceiling.has_value(), 1);
         b.load_mesh(pass.pixel_scale);
         b.mesh.draw(pass, edge_lift);
     }
-    if (look.shadow_outlines && b.shadows.has_any()) b.shadows.draw_lines(pass, look.shadows_of, mark_lift);
+    if (look.shadow_outlines && b.shadows.has_any()) {
+        const Clipped open(b.planes.ceiling.has_value(), 1);
+        b.shadows.draw_lines(pass, look.shadows_of, mark_lift);
+    }
     const Scene* shown = b.shown_scene();
     if (look.grids && !look.shadow_classes && look.scale == Scale::false_colour && shown != nullptr) {
         b.calculation.set(calculation_dots(*shown, b.solution.get(), look));

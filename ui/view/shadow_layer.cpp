@@ -28,6 +28,7 @@ void ShadowLayer::draw_patches(const Pass& pass, ObjectId of) {
     patches_loaded_ = true;
     program_.use();
     program_.set("to_clip", pass.to_clip);
+    program_.set("cuts", std::span<const glm::vec4>(pass.cuts));
     program_.set("spacing", static_cast<float>(hatching_px) * pass.pixel_scale);
     program_.set("hatching", hatching_colour);
     patches_.draw_triangles();

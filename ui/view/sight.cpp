@@ -20,7 +20,8 @@ Box box_of(const DisplayMesh& display, const DisplayCell& cell) {
 
 }  // namespace
 
-Sight::Sight(const Solution& solution, const Camera& camera, double aspect) {
+Sight::Sight(const Solution& solution, const Camera& camera, double aspect)
+    : planes_(camera.left_out, solution.scene.get()) {
     const CameraAxes axes = axes_of(camera);
     const auto scaled = [&](const Vec2& at) {
         Ray ray = ray_through(camera, at, aspect);
@@ -75,8 +76,9 @@ std::optional<Seen> Sight::through(const Vec2& at) const {
         const double depth = glm::dot(frame.origin - ray.origin, frame.normal) / against;
         const bool nearer = depth < seen.depth || (depth == seen.depth && number < found);
         if (!(against < 0.0) || !(depth > nearest_depth) || !nearer) return;
-        const Vec2 here = frame.flat(ray.origin + depth * ray.direction);
-        if (!contains(frame, here)) return;
+        const Vec3 place = ray.origin + depth * ray.direction;
+        const Vec2 here = frame.flat(place);
+        if (!contains(frame, here) || !planes_.keeps(place)) return;
         seen.depth = depth;
         found = number;
         flat = here;

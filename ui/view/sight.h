@@ -3,6 +3,7 @@
 
 #include "ui/view/camera.h"
 #include "ui/view/cell_field.h"
+#include "ui/view/left_out.h"
 #include "ui/view/ray_tree.h"
 
 #include <optional>
@@ -40,6 +41,7 @@ private:
     std::vector<std::uint32_t> cells_;  ///< one a frame
     std::vector<std::uint32_t> index_;  ///< one a cell: its frame
     RayTree tree_;
+    CutPlanes planes_;
 };
 
 }  // namespace hanei

@@ -2,6 +2,7 @@
 
 #include "engine/geometry/polygon.h"
 #include "ui/view/cell_field.h"
+#include "ui/view/left_out.h"
 #include "ui/view/luminaire_shape.h"
 
 #include <algorithm>
@@ -82,7 +83,8 @@ private:
     Ray low_corner_, right_, down_;
 };
 
-void draw_cells(ValueBuffer& buffer, const Raster& raster, const Solution& solution, LightPart part) {
+void draw_cells(ValueBuffer& buffer, const Raster& raster, const Solution& solution, LightPart part,
+                const CutPlanes& planes) {
     const DisplayMesh& display = *solution.display;
     for (const DisplayCell& cell : display.cells) {
         const Vec3& normal = solution.mesh->faces[cell.face].face.normal;
@@ -94,7 +96,8 @@ void draw_cells(ValueBuffer& buffer, const Raster& raster, const Solution& solut
         raster.cover(outline, normal, [&](int x, int y, double depth, const Vec3& place) {
             const std::size_t pixel = buffer.at(x, y);
             const Vec2 flat = frame.flat(place);
-            if (static_cast<float>(depth) >= buffer.depth[pixel] || !contains(frame, flat)) return;
+            if (static_cast<float>(depth) >= buffer.depth[pixel] || !contains(frame, flat) || !planes.keeps(place))
+                return;
             const Vec2 uv = glm::clamp(bilinear_coordinates(frame, flat), Vec2(0.0), Vec2(1.0));
             buffer.depth[pixel] = static_cast<float>(depth);
             buffer.face[pixel] = static_cast<int>(cell.face);
@@ -103,21 +106,33 @@ void draw_cells(ValueBuffer& buffer, const Raster& raster, const Solution& solut
     }
 }
 
-void draw_luminaires(ValueBuffer& buffer, const Raster& raster, const Scene& scene) {
+void cover(ValueBuffer& buffer, const Raster& raster, const Polygon& convex, const Vec3& normal, double slack) {
+    raster.cover(convex, normal, [&](int x, int y, double depth, const Vec3& place) {
+        const std::size_t pixel = buffer.at(x, y);
+        if (depth - slack > static_cast<double>(buffer.depth[pixel])) return;
+        for (std::size_t k = 0; k < convex.size(); ++k) {
+            const Vec3 side = convex[(k + 1) % convex.size()] - convex[k];
+            if (glm::dot(glm::cross(side, place - convex[k]), normal) < 0.0) return;
+        }
+        buffer.face[pixel] = ValueBuffer::luminaire;
+    });
+}
+
+void draw_sections(ValueBuffer& buffer, const Raster& raster, const Scene& scene, const CutPlanes& planes) {
+    for (const std::optional<Cut>& plane : {planes.cut, planes.ceiling}) {
+        if (!plane) continue;
+        for (const Polygon& section : sections_of(scene, *plane)) cover(buffer, raster, section, plane->normal, 0.0);
+    }
+}
+
+void draw_luminaires(ValueBuffer& buffer, const Raster& raster, const Scene& scene, const CutPlanes& planes) {
     for (const Luminaire& luminaire : scene.luminaires) {
+        if (!CutPlanes::is_kept(planes.cut, luminaire.position)) continue;
         for (const Polygon& opening : shape_of(luminaire, scene).shining) {
             const Vec3 normal = unit_normal(opening);
             if (normal == Vec3(0.0)) continue;
             const double slack = 1e-3 * diameter(opening);  // set flush into a ceiling it still covers it
-            raster.cover(opening, normal, [&](int x, int y, double depth, const Vec3& place) {
-                const std::size_t pixel = buffer.at(x, y);
-                if (depth - slack > static_cast<double>(buffer.depth[pixel])) return;
-                for (std::size_t k = 0; k < opening.size(); ++k) {
-                    const Vec3 side = opening[(k + 1) % opening.size()] - opening[k];
-                    if (glm::dot(glm::cross(side, place - opening[k]), normal) < 0.0) return;
-                }
-                buffer.face[pixel] = ValueBuffer::luminaire;
-            });
+            cover(buffer, raster, opening, normal, slack);
         }
     }
 }
@@ -132,8 +147,11 @@ ValueBuffer value_buffer(const Solution& solution, const Camera& camera, const V
     buffer.depth.assign(pixels, std::numeric_limits<float>::infinity());
     buffer.face.assign(pixels, ValueBuffer::nothing);
     const Raster raster(camera, size);
-    draw_cells(buffer, raster, solution, look.part);
-    if (look.luminaires && solution.scene != nullptr) draw_luminaires(buffer, raster, *solution.scene);
+    const CutPlanes planes(camera.left_out, solution.scene.get());
+    draw_cells(buffer, raster, solution, look.part, planes);
+    if (solution.scene == nullptr) return buffer;
+    draw_sections(buffer, raster, *solution.scene, planes);
+    if (look.luminaires) draw_luminaires(buffer, raster, *solution.scene, planes);
     return buffer;
 }
 

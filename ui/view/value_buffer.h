@@ -12,7 +12,7 @@ namespace hanei {
 
 struct ValueBuffer {
     static constexpr int nothing = -1;    ///< background
-    static constexpr int luminaire = -2;  ///< a luminous opening covers what lies behind
+    static constexpr int luminaire = -2;  ///< a luminous opening, or furniture that is cut, covers what lies behind
 
     PixelSize size;
     std::vector<float> lux;
