@@ -6,6 +6,7 @@
 #include "app/exit_code.h"
 #include "app/files.h"
 #include "app/light_commands.h"
+#include "app/new_command.h"
 #include "app/photometry_command.h"
 #include "app/reading_arguments.h"
 
@@ -65,6 +66,7 @@ struct Arguments {
     SolveRequest solve;
     RenderRequest render;
     PlanRequest plan;
+    NewRequest made;
     SweepRequest study;
     ValidateRequest validate;
     ImportRequest import;
@@ -194,6 +196,21 @@ void add_study(CLI::App& app, Arguments& arguments) {
         "--method has no effect.");
 }
 
+void add_new(CLI::App& app, Arguments& arguments) {
+    CLI::App* command = app.add_subcommand("new", "Make a project with a furnished room");
+    NewRequest& request = arguments.made;
+    command->add_option("OUT", request.out, "Project file to write (.hanei)");
+    command->add_option("--room", request.room, "Length x width x height (m), as 6x4x2.8");
+    command->add_option("--shape", request.shape, "Its plan")->check(CLI::IsMember({"box", "L", "T", "U"}));
+    command->add_option("--plan", request.plan, "Corners of another plan (m), as \"0,0 6,0 6,4 0,4\"");
+    command->add_option("--reflectances", request.reflectances, "Ceiling, walls and floor in percent, as 70/50/20");
+    command->add_option("--furniture", request.furniture,
+                        "Pieces of the library, as desk, desk@1.5,2,90 (x, y, degrees), desk:width=1.8@1.5,2");
+    command->add_option("--opening", request.openings,
+                        "Doors, windows, boards, as door:1 (on wall 1), window:2@1.5 (its middle 1.5 m along)");
+    command->add_flag("--list", request.lists, "Name all furniture with its sizes, and all openings");
+}
+
 void add_check(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("check", "Find faults of the file and of the scene");
     add_project(*command, arguments.check_project);
@@ -275,6 +292,7 @@ int run(const CLI::App& app, Arguments& arguments) {
         arguments.layout.change = change;
         return layout_command(arguments.layout);
     }
+    if (app.got_subcommand("new")) return new_command(arguments.made);
     if (app.got_subcommand("check")) return check_command(arguments.check_project);
     if (app.got_subcommand("validate")) {
         arguments.validate.change = change;
@@ -300,6 +318,7 @@ int run_command_line(int argc, char** argv) {
     add_render(app, arguments);
     add_describe(app, arguments);
     add_reading(app, arguments.reading, [&](CLI::App& command) { arguments.common.add_to(command); });
+    add_new(app, arguments);
     add_plan(app, arguments);
     add_study(app, arguments);
     arguments.common.add_to(add_layout(app, arguments.layout));

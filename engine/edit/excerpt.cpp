@@ -2,6 +2,7 @@
 
 #include "engine/edit/control_groups.h"
 #include "engine/edit/luminaire_edits.h"
+#include "engine/edit/sub_areas.h"
 
 #include <algorithm>
 #include <array>
@@ -186,7 +187,14 @@ AddedSeveral duplicated(Scene scene, std::span<const ObjectId> chosen) {
     constexpr double narrowest = 0.1;  // m: a copy that lies on its original is taken for none
     const double width = bounds ? bounds->high.x - bounds->low.x : 0.0;
     const Scene alone = excerpt(scene, chosen);
-    return with_excerpt(std::move(scene), alone, {width > narrowest ? width : 1.0, 0.0, 0.0});
+    AddedSeveral copies = with_excerpt(std::move(scene), alone, {width > narrowest ? width : 1.0, 0.0, 0.0});
+    for (const ObjectId id : chosen) {
+        if (find_sub_area(copies.scene, id) == nullptr) continue;
+        Added copy = with_sub_area_copied(std::move(copies.scene), id);
+        copies.scene = std::move(copy.scene);
+        copies.objects.push_back(copy.object);
+    }
+    return copies;
 }
 
 }  // namespace hanei

@@ -2,6 +2,7 @@
 
 #include "engine/edit/arrangements.h"
 #include "engine/edit/excerpt.h"
+#include "engine/edit/sub_areas.h"
 #include "engine/edit/with_object.h"
 
 #include <algorithm>
@@ -98,6 +99,8 @@ Scene with_motion(Scene scene, std::span<const ObjectId> chosen, const Motion& m
             if constexpr (requires { place(object); }) move(object, motion);
         });
     }
+    for (const ObjectId id : objects)
+        if (find_sub_area(scene, id) != nullptr) scene = with_sub_area_moved(std::move(scene), id, motion.by);
     for (Arrangement& arrangement : scene.arrangements) {
         const auto goes = [&](ObjectId id) { return !id || holds(objects, id); };  // empty places go along
         if (std::all_of(arrangement.luminaires.begin(), arrangement.luminaires.end(), goes)) move(arrangement, motion);
@@ -190,7 +193,7 @@ std::optional<Vec3> middle_of(const Scene& scene, std::span<const ObjectId> chos
 }
 
 std::optional<Vec3> place_of(const Scene& scene, ObjectId id) {
-    std::optional<Vec3> found;
+    std::optional<Vec3> found = place_of_sub_area(scene, id);
     with_object(scene, id, [&](const auto& object, ObjectKind) {
         if constexpr (requires { place(object); })
             found = place(object);

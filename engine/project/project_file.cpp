@@ -57,6 +57,7 @@ Project read_fields(JsonReading& reading, const JsonValue& root, const std::file
     read_light_scenes(reader, fields);
     read_arrangements(reader, fields);
     read_calculation(reader, fields);
+    read_object_groups(reader, fields);
     read_views(reader, fields);
     read_colour_scale(reader, fields);
     reader.scene.unknown = unknown_of(fields, std::move(kept));

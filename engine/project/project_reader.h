@@ -39,6 +39,7 @@ void read_control_groups(SceneReader& reader, Fields& root);
 void read_luminaires(SceneReader& reader, Fields& root);
 void read_light_scenes(SceneReader& reader, Fields& root);
 void read_arrangements(SceneReader& reader, Fields& root);
+void read_object_groups(SceneReader& reader, Fields& root);
 void read_calculation(SceneReader& reader, Fields& root);  ///< grids and points
 void read_views(SceneReader& reader, Fields& root);
 void read_colour_scale(SceneReader& reader, Fields& root);

@@ -150,6 +150,7 @@ JsonValue json_of(const Project& project) {
     add_objects(root, "arrangements", scene.arrangements, References(scene.luminaires));
     add_objects(root, "grids", scene.grids);
     add_objects(root, "points", scene.points);
+    add_objects(root, "object_groups", scene.object_groups);
     add_objects(root, "views", scene.views);
     if (scene.colour_scale) root.add("colour_scale", json_of(*scene.colour_scale));
     add_objects(root, "photometries", scene.photometries);

@@ -31,6 +31,7 @@ JsonValue json_of(const Project& project);
 JsonValue json_of(const Photometry& photometry);
 JsonValue json_of(const Luminaire& luminaire, const References& photometries, const References& groups);
 JsonValue json_of(const ControlGroup& group);
+JsonValue json_of(const ObjectGroup& group);
 JsonValue json_of(const LightScene& light_scene, const References& groups);
 JsonValue json_of(const Arrangement& arrangement, const References& luminaires);
 JsonValue json_of(const Room& room, const References& materials);

@@ -58,6 +58,7 @@ Diagnostics check_scene(const Scene& scene) {
     check_luminaires(checks);
     check_calculation(checks);
     check_colour_scale(checks);
+    check_groups(checks);
     check_lighting(checks);
     if (!has_errors(checks.findings)) {
         check_places(checks);

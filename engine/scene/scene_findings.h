@@ -62,6 +62,7 @@ void check_furniture(SceneChecks& checks);
 void check_surfaces(SceneChecks& checks);
 void check_photometries(SceneChecks& checks);
 void check_luminaires(SceneChecks& checks);
+void check_groups(SceneChecks& checks);
 void check_calculation(SceneChecks& checks);  ///< grids, points and views
 void check_colour_scale(SceneChecks& checks);
 void check_lighting(SceneChecks& checks);  ///< control groups, light scenes and arrangements

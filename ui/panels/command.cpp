@@ -10,8 +10,8 @@ namespace {
 
 std::vector<Command> all_menus() {
     std::vector<Command> all;
-    for (const auto menu :
-         {file_menu(), edit_menu(), add_menu(), light_menu(), view_menu(), look_menu(), results_menu(), help_menu()})
+    for (const auto menu : {file_menu(), edit_menu(), add_menu(), room_menu(), arrange_menu(), light_menu(),
+                            view_menu(), look_menu(), results_menu(), help_menu()})
         all.insert(all.end(), menu.begin(), menu.end());
     return all;
 }

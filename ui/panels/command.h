@@ -45,6 +45,34 @@ enum class CommandId {
     add_panel_luminaire,
     add_luminaire_file,
     add_box,
+    add_furniture,
+    new_room_dialog,
+    draw_plan,
+    choose_room,
+    add_door,
+    add_window,
+    add_board,
+    add_material,
+    drop_materials,
+    array_copies,
+    circle_copies,
+    mirror_left_right,
+    mirror_up_down,
+    mirror_over_x,
+    mirror_over_y,
+    align_left,
+    align_middle_x,
+    align_right,
+    align_top,
+    align_middle_y,
+    align_bottom,
+    spread_x,
+    spread_y,
+    put_on_floor,
+    push_to_wall,
+    turn_to_wall,
+    group_objects,
+    ungroup_objects,
     add_grid,
     add_calculation_point,
     light_line,
@@ -137,6 +165,8 @@ struct Command {
 std::span<const Command> file_menu();
 std::span<const Command> edit_menu();
 std::span<const Command> add_menu();
+std::span<const Command> room_menu();
+std::span<const Command> arrange_menu();
 std::span<const Command> light_menu();
 std::span<const Command> view_menu();
 std::span<const Command> look_menu();  ///< the end of the View menu

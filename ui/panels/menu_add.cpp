@@ -18,6 +18,12 @@ constexpr std::array table{
             "A luminaire as a file measures it: IES, EULUMDAT, TM-33, GLDF, glTF. Or drop the file on the room",
             control('L')},
     Command{add_box, "add.box", "Add", "Furniture box", "A box to stand on the floor", control('B'), {}, true},
+    Command{add_furniture,
+            "add.furniture",
+            "Add",
+            "Furniture...",
+            "Desks, chairs, shelves ... from the library",
+            {key_of('A'), false, true}},
     Command{add_grid, "add.grid", "Add", "Calculation grid", "A grid at desk height over the room", {}, {}, true},
     Command{add_calculation_point,
             "add.calculation_point",
@@ -49,6 +55,8 @@ void Workbench::do_add(CommandId id) {
         }
         case CommandId::add_box:
             return add(with_box(scene), "Add box");
+        case CommandId::add_furniture:
+            return furnishing_.show_library();
         case CommandId::add_grid:
             return add(with_grid(scene), "Add calculation grid");
         case CommandId::add_calculation_point:

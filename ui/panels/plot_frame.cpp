@@ -110,8 +110,8 @@ void plot_card(const PlotFrame& frame, ImVec2 at, const std::vector<std::string>
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, {low.x + size.x, low.y + size.y}, style::card, 5.0F * scale);
     for (std::size_t k = 0; k < lines.size(); ++k)
-        list.AddText({low.x + 8.0F * scale, low.y + 5.0F * scale + static_cast<float>(k) * line},
-                     style::text, lines[k].c_str());
+        list.AddText({low.x + 8.0F * scale, low.y + 5.0F * scale + static_cast<float>(k) * line}, style::text,
+                     lines[k].c_str());
 }
 
 }  // namespace hanei

@@ -28,8 +28,7 @@ struct CurveLook {
 const std::array curves{
     CurveLook{"Total", [](const PointValue& value) { return value.total().value; }, style::accent, false},
     CurveLook{"Direct", [](const PointValue& value) { return value.direct.value; }, style::second, false},
-    CurveLook{"Interreflected", [](const PointValue& value) { return value.interreflected.value; },
-              style::good, true}};
+    CurveLook{"Interreflected", [](const PointValue& value) { return value.interreflected.value; }, style::good, true}};
 
 /// Three typed figures in a row.
 bool place_fields(const char* label, const char* name, Vec3& place, const char* help, WidgetRegistry& widgets) {

@@ -4,10 +4,12 @@
 
 #include "engine/scene/scene.h"
 #include "engine/solution/solution.h"
+#include "ui/panels/key.h"
 #include "ui/panels/pane.h"
 #include "ui/panels/selection.h"
 #include "ui/panels/widget_registry.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -43,8 +45,19 @@ public:
     /// Over each picture.
     virtual void draw(const PaneSight& sight, WidgetRegistry& widgets) const = 0;
 
+    /// Whether the tool means this chord for itself; commands do not get it then.
+    virtual bool takes(const Chord&) const { return false; }
+
     /// What to do next, for the status line: "Click the next corner; Enter closes the plan".
     virtual std::string hint() const = 0;
+};
+
+/// Handles of its own in the pictures: asked on a press of the left button, before objects are.
+class ViewGrips {
+public:
+    virtual ~ViewGrips() = default;
+    /// A tool that holds what lies under the pointer until the button is let go; null when nothing does.
+    virtual std::unique_ptr<ViewTool> take(const PaneSight& sight) = 0;
 };
 
 /// Something drawn over every picture: pins, labels, a line.

@@ -152,6 +152,11 @@ Viewport::Outcome Viewport::handle_press(const Input& input, const Pane& pane) {
         take_up(std::make_unique<BoxTool>(options_of(input, under_pointer_).grids, mouse));
         return {};
     }
+    if (std::unique_ptr<ViewTool> grip =
+            input.grips ? input.grips->take(sight_of(input, active_pane_, true)) : nullptr) {
+        take_up(std::move(grip));
+        return {};
+    }
     const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());
     if (!place) return {};
     const std::optional<Axis> axis = handle_under(input, pane, mouse);

@@ -53,6 +53,7 @@ public:
         std::span<ViewOverlay* const> overlays{};
         SceneSnapshot painted{};             ///< drawn in place of `scene`, which is still what is edited
         std::optional<double> difference{};  ///< lx: the solution is a difference, coloured from - to + this
+        ViewGrips* grips = nullptr;
     };
     struct Outcome {
         std::optional<Selection> chosen;  ///< by a click or a tool

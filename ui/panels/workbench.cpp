@@ -22,7 +22,7 @@ Workbench::Workbench(ProjectContent content, std::filesystem::path file, Project
     offer_recovery();
     readings_.wake = std::move(wake);
     viewport_.state.options.pins = true;
-    overlays_ = {&readings_.labels, &readings_.why, &readings_.snapshots, &readings_.profile};
+    overlays_ = {&furnishing_, &readings_.labels, &readings_.why, &readings_.snapshots, &readings_.profile};
     viewport_.state.options.grids = false;  // dots over every surface; shown with a chosen grid, or by N
 }
 
@@ -41,7 +41,9 @@ void Workbench::read_keys() {
     for (int k = 1; k < key_count; ++k) {
         if (!ImGui::IsKeyPressed(k, k >= static_cast<int>(Key::right) && k <= static_cast<int>(Key::page_down)))
             continue;
-        const Command* entry = command_for({static_cast<Key>(k), io.KeyCtrl, io.KeyShift, io.KeyAlt});
+        const Chord chord{static_cast<Key>(k), io.KeyCtrl, io.KeyShift, io.KeyAlt};
+        if (viewport_.tool() != nullptr && viewport_.tool()->takes(chord)) continue;
+        const Command* entry = command_for(chord);
         if (entry != nullptr && can(entry->id)) carry_out(entry->id);
     }
 }
@@ -53,7 +55,7 @@ void Workbench::propose(Scene scene, std::string step) {
 
 /// A gesture ends when the item it began with is let go.
 void Workbench::settle() {
-    if (!document_.in_gesture() || viewport_.dragging()) return;
+    if (!document_.in_gesture() || viewport_.dragging() || furnishing_.is_asking()) return;
     if (gesture_item_ == 0 || ImGui::GetCurrentContext()->ActiveId != gesture_item_) document_.settle();
 }
 
@@ -104,6 +106,7 @@ void Workbench::draw(const ViewPainter& paint) {
         document_.commit(std::move(made->scene), "Start layout");
         selection_.choose(made->object);
     }
+    furnishing_wish(furnishing_.questions(*document_.history().now(), selection_, form_));
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
     preferences_dialog_.draw(preferences_, form_);

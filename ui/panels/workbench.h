@@ -12,6 +12,7 @@
 #include "ui/panels/file_stamp.h"
 #include "ui/panels/form.h"
 #include "ui/panels/frame_recording.h"
+#include "ui/panels/furnishing.h"
 #include "ui/panels/light_panel.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/messages_panel.h"
@@ -25,8 +26,8 @@
 #include "ui/panels/recent_menu.h"
 #include "ui/panels/recovery_dialog.h"
 #include "ui/panels/selection.h"
-#include "ui/panels/start_layout_dialog.h"
 #include "ui/panels/several_panel.h"
+#include "ui/panels/start_layout_dialog.h"
 #include "ui/panels/viewport.h"
 
 #include <deque>
@@ -62,6 +63,7 @@ public:
     const Document& document() const { return document_; }
     const LiveStudy& study() const { return study_; }
     const Viewport& viewport() const { return viewport_; }
+    const Furnishing& furnishing() const { return furnishing_; }
     const WidgetRegistry& widgets() const { return widgets_; }
     const ExactPanel& exact() const { return exact_; }
     const Dialogs& dialogs() const { return dialogs_; }
@@ -83,6 +85,8 @@ private:
     bool can_file(CommandId id) const;
     bool can_edit(CommandId id) const;
     bool can_add(CommandId id) const;
+    bool can_room(CommandId id) const;
+    bool can_arrange(CommandId id) const;
     bool can_light(CommandId id) const;
     bool can_view(CommandId id) const;
     bool can_look(CommandId id) const;
@@ -91,6 +95,8 @@ private:
     void do_file(CommandId id);
     void do_edit(CommandId id);
     void do_add(CommandId id);
+    void do_room(CommandId id);
+    void do_arrange(CommandId id);
     void do_light(CommandId id);
     void do_view(CommandId id);
     void do_look(CommandId id);
@@ -126,6 +132,10 @@ private:
     void light_tab();
     void lay_out_luminaires(CommandId id);
     void arrange(ObjectId luminaire, CommandId id);
+    void room_tab();
+    void furniture_tab();
+    void furnishing_wish(Furnishing::Wish wish);
+    void begin_anew(Scene scene);  ///< a project of this scene, in no file yet
     void status_line(const ScreenRect& area);
 
     bool is_asking() const;  ///< a dialog stands in front
@@ -196,6 +206,7 @@ private:
     Arrival arrival_;
     Selection selection_;
     ObjectTree tree_;
+    Furnishing furnishing_;
     bool snaps_ = true;
     bool quits_ = false;
     bool shows_overview_ = true;  ///< once the view has a size

@@ -28,6 +28,7 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
                           raster(),
                           !kept && !study_.fresh(),
                           overlays_};
+    input.grips = &furnishing_;
     if (kept) input.painted = kept->scene;
     if (readings_.snapshots.shows_difference())
         input.difference = readings_.snapshots.range_of(viewport_.state.options.part);
@@ -43,7 +44,11 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     take_scale_wishes();
     pin_at_double_click();
     ImGui::PopStyleColor();
+    const Selection before = selection_;
     if (outcome.chosen) selection_ = *outcome.chosen;
+    const std::optional<Ray> ray = viewport_.pointed(*document_.shown(), ImGui::GetIO().MousePos).ray;
+    if (outcome.chosen && outcome.chosen->empty() && ray)
+        if (const auto found = furnishing_.clicked(*document_.shown(), before, *ray)) selection_ = *found;
     if (outcome.moved) {
         gesture_item_ = ImGui::GetCurrentContext()->ActiveId;
         document_.propose(*outcome.moved, outcome.step);

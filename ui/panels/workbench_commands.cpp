@@ -19,6 +19,8 @@ const Workbench::Menu& Workbench::menu_of(CommandId id) {
         Menu{file_menu(), &Workbench::can_file, &Workbench::do_file},
         Menu{edit_menu(), &Workbench::can_edit, &Workbench::do_edit},
         Menu{add_menu(), &Workbench::can_add, &Workbench::do_add},
+        Menu{room_menu(), &Workbench::can_room, &Workbench::do_room},
+        Menu{arrange_menu(), &Workbench::can_arrange, &Workbench::do_arrange},
         Menu{light_menu(), &Workbench::can_light, &Workbench::do_light},
         Menu{view_menu(), &Workbench::can_view, &Workbench::do_view},
         Menu{look_menu(), &Workbench::can_look, &Workbench::do_look},

@@ -38,12 +38,26 @@ void Workbench::properties_tab() {
         headline(display_name(*scene, selection_.primary()), tr(name_of(kind)));
     else
         several_headline(*scene, selection_);
+    if (kind == ObjectKind::room) return room_tab();
     ImGui::PushID(static_cast<int>(selection_.primary().value));
     form_.begin("properties");
     std::optional<Scene> wished = several_panel_.draw(scene, selection_, form_);
     form_.end();
     ImGui::PopID();
     if (wished) propose(std::move(*wished), step_name(*scene, selection_));
+}
+
+void Workbench::room_tab() {
+    form_.begin("room");
+    std::optional<Scene> wished = room_panel(*document_.shown(), furnishing_.room, form_);
+    form_.end();
+    if (wished) propose(std::move(*wished), furnishing_.room.made ? "Add to the room" : "Change room");
+    if (furnishing_.room.made) selection_.choose(furnishing_.room.made);
+    if (furnishing_.room.draws_plan) carry_out(CommandId::draw_plan);
+}
+
+void Workbench::furniture_tab() {
+    furnishing_wish(furnishing_.library(*document_.shown(), selection_.primary(), widgets_));
 }
 
 void Workbench::photometry_tab() {
@@ -73,6 +87,12 @@ void Workbench::right(const ScreenRect& area) {
         if (begin_tab("Light", widgets_)) {
             ImGui::BeginChild("light");
             light_tab();
+            ImGui::EndChild();
+            ImGui::EndTabItem();
+        }
+        if (begin_tab("Furniture", widgets_, 0, furnishing_.takes_library_wish())) {
+            ImGui::BeginChild("library");
+            furniture_tab();
             ImGui::EndChild();
             ImGui::EndTabItem();
         }

@@ -130,6 +130,8 @@ inline Project project_with_everything() {
     scene.points.push_back({scene.new_id(), "point", {1, 2, 0.8}, {0, 0.6, 0.8}, {}});
     scene.views.push_back({scene.new_id(), "view", {0.5, 0.5, 1.6}, {2, 2, 1}, 0.9, true, {}, true, Cut{{0, 0.6, 0.8}, 1.25}});
     scene.colour_scale = ColourScale{0.3, 2000.0 / 3.0, "en", true, {100.0, 1000.0 / 3.0}, R"({"palette": "own"})"};
+    scene.object_groups.push_back(
+        {scene.new_id(), "corner", {scene.furniture[1].id, scene.luminaires[2].id, scene.points[0].id}, R"({"a": 1})"});
     scene.last_id += 7;  // of objects that were deleted
     scene.unknown = R"({"notes": ["a", {"b": 1.50}], "settings": {"sky": "overcast"}})";
     project.settings = {Method::paper, 0.123456789, 4, 0.00123, 0.3, 2};

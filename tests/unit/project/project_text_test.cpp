@@ -129,8 +129,8 @@ TEST(ProjectText, fields_of_a_later_version_are_kept_and_each_is_warned_about) {
     for (const Diagnostic& finding : read.findings)
         warnings += finding.message.find("does not know") != std::string::npos ? 1 : 0;
     // material, room, sub-area, desk, part, stool, surface, photometry, serial, opening.glass, light scene, three
-    // layouts, grid, settings.sky, notes, colour scale
-    EXPECT_EQ(warnings, 18);
+    // layouts, grid, group, settings.sky, notes, colour scale
+    EXPECT_EQ(warnings, 19);
     EXPECT_NE(text.find("\"serial\": 12345678901234567890"), std::string::npos);
     EXPECT_NE(text.find("\"b\": 1.50"), std::string::npos);
 }
