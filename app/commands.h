@@ -34,6 +34,8 @@ struct RenderRequest {
     bool shadow_outlines = false;
     std::string luminaire;  ///< whose shadows, by name or number from 1; empty: all
     std::string scale = "false-colour";
+    bool no_ceiling = false;  ///< looked into from above, as into a doll's house
+    std::string cut;          ///< "z=1.2": only what lies below is drawn; empty: as the view says
     std::string steps;                ///< log, linear, en; empty: as the project's scale
     std::optional<double> low, high;  ///< lx
     bool fits = false;                ///< the scale is fitted to the light, whatever the project's is

@@ -62,7 +62,7 @@ void Workbench::do_room(CommandId id) {
             return guarded([this] { furnishing_.ask_new_room(); });
         case draw_plan:
             document_.settle();
-            viewport_.show_plan(*document_.shown());
+            viewport_.look_from(Standpoint::plan, *document_.shown());
             return viewport_.take_up(std::make_unique<PlanTool>(scene.room ? scene.room->floor_height : 0.0));
         case choose_room:
             return selection_.choose(scene.room->id);

@@ -7,6 +7,7 @@
 #include "ui/panels/sketch.h"
 #include "ui/panels/style.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>

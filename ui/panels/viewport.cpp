@@ -153,7 +153,7 @@ Viewport::Outcome Viewport::handle_press(const Input& input, const Pane& pane) {
         return {};
     }
     if (std::unique_ptr<ViewTool> grip =
-            input.grips ? input.grips->take(sight_of(input, active_pane_, true)) : nullptr) {
+            input.grips ? input.grips->take(sight_of(input, under_pointer_, true)) : nullptr) {
         take_up(std::move(grip));
         return {};
     }

@@ -47,8 +47,10 @@ void Workbench::take_model(ModelImport::Taken taken) {
         selection_.choose(now.furniture[into.furniture.size()].id);
     else if (!brings_room && now.surfaces.size() > into.surfaces.size())
         selection_.choose(now.surfaces[into.surfaces.size()].id);
-    if (brings_room) shows_overview_ = true;
-    viewport_.state.range_fitted = viewport_.state.range_fitted && !brings_room;
+    if (brings_room) {
+        shows_overview_ = true;
+        readings_.scale.forget();
+    }
     const std::size_t remarks = taken.findings.size();
     message_ = "Imported " + name;
     if (remarks > 0) message_ += fmt::format(" · {} remark{} on its file", remarks, remarks == 1 ? "" : "s");
