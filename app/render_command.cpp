@@ -192,8 +192,8 @@ int render_command(const RenderRequest& request) {
     auto project = open_project(request.project);
     if (!project) return exit_bad_input;
     if (!recall_light_scene(project->scene, request.light_scene, request.project)) return exit_bad_input;
-    request.change(project->settings);
     const std::string hash = short_hash(project_text(*project));
+    request.change(project->settings);
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
     PictureRequest picture;
     picture.options = options_for(request, *scene);

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -21,6 +22,7 @@ const std::string room = HANEI_SOURCE "/assets/rooms/computer-room-panels.hanei"
 class ExactRender : public testing::Test {
 protected:
     void SetUp() override {
+        ::setenv("SOURCE_DATE_EPOCH", "1700000000", 1);  // the same pictures at any time
         folder_ = std::filesystem::path(testing::TempDir()) /
                   ("hanei-exact-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
         std::filesystem::remove_all(folder_);

@@ -4,9 +4,11 @@
 #include "ui/view/png_text.h"
 #include "ui/window/driver.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <map>
 #include <sys/stat.h>
 
 namespace hanei {
@@ -70,8 +72,7 @@ TEST_F(Exports, write_every_chosen_part_in_the_size_that_is_asked_for_and_comput
     ASSERT_TRUE(driver.wait_settled());
     EXPECT_DONE(driver.press("Ctrl+E"));
     EXPECT_DONE(driver.click("export.what"));
-    for (int k = 0; k < 2; ++k) EXPECT_DONE(driver.press("Down"));
-    EXPECT_DONE(driver.press("Space"));
+    EXPECT_DONE(driver.click("export.what.A picture of each chosen part"));
     ASSERT_NE(driver.workbench().widgets().find("export.unshadowed"), nullptr) << "the choice did not take";
     EXPECT_DONE(driver.click("export.unshadowed"));
     type_name(driver, "{part} {number}");

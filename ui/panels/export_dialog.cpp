@@ -56,9 +56,10 @@ std::vector<PictureJob> ExportDialog::jobs(const Context& context, std::string& 
     if (what_ == What::four) add(LightPart::total, true);
     for (std::size_t k = 0; what_ == What::parts && k < all_parts.size(); ++k)
         if (parts_[k]) add(all_parts[k], false);
-    for (std::size_t k = 1; k < jobs.size(); ++k)
+    for (std::size_t k = 1; fault.empty() && k < jobs.size(); ++k) {
         if (jobs[k].file == jobs[k - 1].file)
             fault = tr("several pictures would have one name: use {part} or {number}");
+    }
     std::error_code unknown;
     if (!std::filesystem::is_directory(folder_, unknown)) fault = tr("there is no such folder");
     if (jobs.empty()) fault = tr("no part is chosen");

@@ -131,7 +131,7 @@ std::optional<ObjectId> MessagesPanel::draw(const Scene& scene, const Diagnostic
         }
         ImGui::TableNextColumn();
         Diagnostic plain = finding;
-        plain.severity = Severity::note;  // the sign says it
+        plain.severity = Severity::error;  // written without a word: the sign says it
         std::string text = to_text(plain);
         if (shown[k].count > 1) text += fmt::format("  ({} times)", shown[k].count);
         ImGui::TextWrapped("%s", text.c_str());

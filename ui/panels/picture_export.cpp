@@ -40,10 +40,9 @@ PictureExport::Outcome PictureExport::step(const SolutionSnapshot& solution, boo
         last_ = job.file.filename().string();
     } catch (const std::runtime_error& fault) {
         jobs_.clear();
-        Outcome failed;
-        failed.fault.emplace();
-        failed.fault->message = fault.what();
-        return failed;
+        Outcome ended;
+        ended.fault.emplace().message = fault.what();
+        return ended;
     }
     if (!jobs_.empty()) return {};
     return {written_ == 1 ? fmt::format("Exported {}", last_) : fmt::format("Exported {} pictures", written_), {}};

@@ -22,6 +22,12 @@ std::string name_of_view(const Scene& scene, const Camera& camera) {
     return "view";
 }
 
+Diagnostic error_of(std::string sentence) {
+    Diagnostic finding;
+    finding.message = std::move(sentence);
+    return finding;
+}
+
 }  // namespace
 
 PictureRequest Workbench::picture_request() const {
@@ -52,17 +58,17 @@ std::string Workbench::project_hash() const {
 }
 
 void Workbench::copy_picture() {
-    const Diagnostic unknown{Severity::error, {}, "pictures cannot be copied from here: export them instead"};
-    if (!door_.copy_picture) return tell("Export", unknown);
+    if (!door_.copy_picture)
+        return tell("Export", error_of("pictures cannot be copied from here: export them instead"));
     try {
         const PictureRequest request = picture_request();
         const Image image = render_picture(study_.solution(), request);
         const std::string png = png_bytes(
             image, picture_text(*study_.solution(), request.options, project_hash(), std::chrono::system_clock::now()));
-        if (const auto reason = door_.copy_picture(png)) return tell("Export", {Severity::error, {}, *reason});
+        if (const auto reason = door_.copy_picture(png)) return tell("Export", error_of(*reason));
         message_ = "Copied the picture";
     } catch (const std::runtime_error& fault) {
-        tell("Export", {Severity::error, {}, fault.what()});
+        tell("Export", error_of(fault.what()));
     }
 }
 
@@ -76,7 +82,7 @@ void Workbench::ask_for_values() {
         {"Export the values of grids and points", "Export", {".csv"}, true, folder(), document_.title() + ".csv"},
         [this, solution = study_.answer()](const std::filesystem::path& file) {
             if (const auto reason = write_whole_file(file, values_csv(*solution)))
-                return tell("Export", {Severity::error, {}, file.string() + ": " + *reason});
+                return tell("Export", error_of(file.string() + ": " + *reason));
             message_ = "Exported " + file.filename().string();
         });
 }
@@ -99,7 +105,7 @@ void Workbench::record_frame() {
     if (!recording_.is_on()) return;
     if (const std::string fault = recording_.take_fault(); !fault.empty()) {
         recording_.stop();
-        return tell("Recording", {Severity::error, {}, fault});
+        return tell("Recording", error_of(fault));
     }
     const bool same = recorded_scene_ == document_.shown() && recorded_solution_ == study_.solution();
     const ScreenRect* view = widgets_.find("view");
@@ -118,7 +124,7 @@ void Workbench::record_frame() {
 
 void Workbench::after_frame() {
     exact_.after_frame();
-    if (const std::string fault = exact_.take_failure(); !fault.empty()) tell("Export", {Severity::error, {}, fault});
+    if (const std::string fault = exact_.take_failure(); !fault.empty()) tell("Export", error_of(fault));
     record_frame();
     if (copies_) copy_picture();
     copies_ = false;
@@ -139,7 +145,7 @@ void Workbench::save_exact() {
                           write_png(*picture, file, text);
                           message_ = "Saved " + file.filename().string();
                       } catch (const std::runtime_error& fault) {
-                          tell("Export", {Severity::error, {}, fault.what()});
+                          tell("Export", error_of(fault.what()));
                       }
                   });
 }
