@@ -101,6 +101,8 @@ void add_project(CLI::App& command, std::filesystem::path& into) {
 void add_desktop(CLI::App& app, Arguments& arguments) {
     app.add_option("PROJECT", arguments.desktop.project, "Project file to open; none: the start room");
     app.add_option("--size", arguments.size, "Size of the window in pixels")->check(CLI::Validator(check_size, "WxH"));
+    app.add_option("--scale", arguments.desktop.scale, "Size of letters and controls, 1 to 3; none: as the screen says")
+        ->check(CLI::Range(1.0, 3.0));
     app.add_option("--script", arguments.desktop.script,
                    "Play this script of clicks, keys, drags and pictures without a window, then end");
     app.add_option("--state-file", arguments.desktop.state_file,

@@ -65,7 +65,11 @@ int play(const std::filesystem::path& file, ProjectContent content, const Deskto
         std::cerr << file.string() << ": this script cannot be read\n";
         return exit_bad_input;
     }
-    Driver driver({std::move(content), request.project, door_for(request), {request.width, request.height}});
+    Driver driver({std::move(content),
+                   request.project,
+                   door_for(request),
+                   {request.width, request.height},
+                   request.scale > 0.0F ? request.scale : 1.0F});
     const auto fault = play_script(text.str(), file.string(), driver, std::cout);
     if (!fault) return exit_done;
     std::cerr << to_text(*fault) << '\n';
@@ -119,7 +123,8 @@ int run_desktop(const DesktopRequest& request) {
                     request.project,
                     door_for(request),
                     {request.width, request.height},
-                    request.state_file});
+                    request.state_file,
+                    request.scale});
         return exit_done;
     } catch (const std::runtime_error& fault) {
         std::cerr << fault.what() << '\n';

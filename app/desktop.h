@@ -16,6 +16,7 @@ struct DesktopRequest {
     std::optional<std::filesystem::path> user_folder;
     int width = 1280;
     int height = 800;
+    float scale = 0.0F;  ///< of letters and controls, 1 to 3; 0: as the screen says, in a script 1
 };
 
 /// Returns   an exit code of the command line: 0 done, 1 a script's expectation failed, 2 the project

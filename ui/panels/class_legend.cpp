@@ -1,3 +1,4 @@
+#include "ui/panels/language.h"
 #include "ui/panels/style.h"
 #include "ui/panels/view_bar.h"
 #include "ui/view/class_colours.h"
@@ -54,8 +55,9 @@ void class_legend(const ViewOptions& look, const SolutionSnapshot& solution, con
         list.AddText(&small, line, at, colour, text.c_str());
     };
     const bool any = solution && solution->shadows;
-    const std::string of = any ? "of " + shadows_of_text(*solution->scene, look.shadows_of) : "being worked out";
-    write({left, low.y + 8.0F * scale}, "Shadow classes", style::text);
+    const std::string of =
+        any ? say("of {}", shadows_of_text(*solution->scene, look.shadows_of)) : tr("being worked out");
+    write({left, low.y + 8.0F * scale}, tr("Shadow classes"), style::text);
     write({left, low.y + 10.0F * scale + line}, shortened(of, small, (card_width - 24.0F) * scale), style::quiet_text);
     float y = low.y + head;
     for (const ClassRow& row : rows) {

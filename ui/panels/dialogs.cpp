@@ -1,10 +1,13 @@
 #include "ui/panels/dialogs.h"
 
 #include "ui/panels/command.h"
+#include "ui/panels/icon.h"
+#include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <optional>
 #include <utility>
@@ -15,7 +18,8 @@ namespace {
 constexpr float button_width = 110.0F;
 
 bool dialog_button(const char* label, const char* name, WidgetRegistry& widgets) {
-    const bool pressed = ImGui::Button(label, {button_width * style::scale(), 0.0F});
+    const bool pressed =
+        ImGui::Button(fmt::format("{}###{}", tr(label), name).c_str(), {button_width * style::scale(), 0.0F});
     widgets.note(name);
     return pressed;
 }
@@ -36,7 +40,8 @@ void key_row(const std::string& keys, std::string_view what) {
     ImGui::TextColored(style::colour(style::accent), "%s", keys.c_str());
     ImGui::TableNextColumn();
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(what.data(), what.data() + what.size());
+    const std::string_view words = tr(what);
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
     ImGui::PopTextWrapPos();
 }
 
@@ -90,7 +95,7 @@ void Dialogs::ask_choice(std::string title, std::string text, std::vector<std::s
 }
 
 bool Dialogs::begin(const char* title, float width) {
-    const std::string label = std::string(title) + "###dialog";
+    const std::string label = fmt::format("{}###dialog", tr(title));
     if (opening_) ImGui::OpenPopup(label.c_str());
     opening_ = false;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -106,7 +111,7 @@ bool Dialogs::begin(const char* title, float width) {
 
 void Dialogs::unsaved(WidgetRegistry& widgets) {
     if (!begin("Unsaved changes", 460.0F)) return;
-    ImGui::TextWrapped("%s has changes that were not saved.", title_.c_str());
+    ImGui::TextWrapped("%s", say("{} has changes that were not saved.", title_).c_str());
     buttons_from_right(3);
     std::function<void()> then;
     if (dialog_button("Don't save", "unsaved.discard", widgets)) then = proceed_;
@@ -122,9 +127,8 @@ void Dialogs::unsaved(WidgetRegistry& widgets) {
 void Dialogs::findings(WidgetRegistry& widgets) {
     if (!begin(title_.c_str(), 620.0F)) return;
     for (const Diagnostic& finding : findings_) {
-        ImGui::PushStyleColor(ImGuiCol_Text, finding.severity == Severity::error ? style::warning : style::text);
+        icon_item(icon_of(finding.severity), colour_of(finding.severity));
         ImGui::TextWrapped("%s", to_text(finding).c_str());
-        ImGui::PopStyleColor();
     }
     buttons_from_right(1);
     if (dialog_button("OK", "findings.ok", widgets) || key_pressed(ImGuiKey_Enter) || key_pressed(ImGuiKey_Escape))
@@ -141,7 +145,7 @@ void Dialogs::choice(WidgetRegistry& widgets) {
     ImGui::BeginChild("entries", {0.0F, rows * row + 8.0F * style::scale()});
     std::optional<std::size_t> picked;
     for (std::size_t k = 0; k < entries_.size(); ++k) {
-        const std::string label = entries_[k] + "##" + std::to_string(k);
+        const std::string label = fmt::format("{}##{}", tr(std::string_view(entries_[k])), k);
         if (ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_DontClosePopups)) picked = k;
         widgets.note("choice." + std::to_string(k + 1));
     }
@@ -176,7 +180,7 @@ void Dialogs::keys(WidgetRegistry& widgets) {
             const bool variant = entry.other.key == entry.chord.key;
             key_row(to_text(entry.chord) + (other.empty() || variant ? "" : ", " + other), entry.help);
         }
-        for (const auto& [keys_text, what] : mouse_map) key_row(keys_text, what);
+        for (const auto& [keys_text, what] : mouse_map) key_row(tr(keys_text), what);
         ImGui::EndTable();
         ImGui::PopFont();
         ImGui::EndTable();
@@ -191,10 +195,10 @@ void Dialogs::about(WidgetRegistry& widgets) {
     ImGui::PushFont(style::fonts().strong);
     ImGui::TextUnformatted("Hanei");
     ImGui::PopFont();
-    ImGui::TextWrapped(
-        "Lighting design with exact direct light, interreflection, and an error bar on every value. "
-        "All surfaces are taken as perfectly diffuse: there are no mirrors and no gloss.");
-    ImGui::TextWrapped("Licence: Apache-2.0.");
+    ImGui::TextWrapped("%s",
+                       tr("Lighting design with exact direct light, interreflection, and an error bar on every value. "
+                          "All surfaces are taken as perfectly diffuse: there are no mirrors and no gloss."));
+    ImGui::TextWrapped("%s", tr("Licence: Apache-2.0."));
     buttons_from_right(1);
     if (dialog_button("Close", "about.close", widgets) || key_pressed(ImGuiKey_Escape)) close();
     ImGui::EndPopup();

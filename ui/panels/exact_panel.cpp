@@ -15,7 +15,7 @@ constexpr int rays_at_edges = 16;
 constexpr float screen_share = 0.8F;  // of the window's sides that the picture may take
 
 bool panel_button(const char* label, const char* name, WidgetRegistry& widgets) {
-    const bool pressed = ImGui::Button(label, {110.0F * style::scale(), 0.0F});
+    const bool pressed = ImGui::Button(tr(label), {110.0F * style::scale(), 0.0F});
     widgets.note(name);
     return pressed;
 }
@@ -90,7 +90,7 @@ void ExactPanel::draw_picture(const ViewPainter& paint, const std::function<void
     bool stays = true;
     const int plain =
         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
-    if (ImGui::Begin("Exact picture###exact picture", &stays, plain)) {
+    if (ImGui::Begin(fmt::format("{}###exact picture", tr("Exact picture")).c_str(), &stays, plain)) {
         ViewRequest request;
         request.slot = ViewRequest::picture_slot;
         request.picture = &*shown_;

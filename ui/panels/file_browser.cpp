@@ -1,5 +1,6 @@
 #include "ui/panels/file_browser.h"
 
+#include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ void FileBrowser::enter(const fs::path& folder) {
     entries_.clear();
     fault_.clear();
     fs::directory_iterator each(folder_, fs::directory_options::skip_permission_denied, fault);
-    if (fault) fault_ = "This folder cannot be read: " + fault.message();
+    if (fault) fault_ = say("This folder cannot be read: {}", fault.message());
     for (; !fault && each != fs::directory_iterator(); each.increment(fault)) {
         const std::string name = each->path().filename().string();
         std::error_code unknown;
@@ -37,7 +38,9 @@ void FileBrowser::enter(const fs::path& folder) {
         const auto& wanted = purpose_.endings;
         const bool shown =
             is_folder || wanted.empty() || std::find(wanted.begin(), wanted.end(), ending) != wanted.end();
-        if (shown && name.front() != '.') entries_.push_back({name, is_folder});
+        if (!shown || name.front() == '.') continue;
+        style::needs(name);
+        entries_.push_back({name, is_folder});
     }
     std::sort(entries_.begin(), entries_.end(),
               [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
@@ -91,7 +94,7 @@ void FileBrowser::list(WidgetRegistry& widgets) {
 
 void FileBrowser::draw(WidgetRegistry& widgets) {
     if (!open_) return;
-    const std::string title = purpose_.title + "###file browser";
+    const std::string title = std::string(tr(purpose_.title.c_str())) + "###file browser";
     if (just_opened_) ImGui::OpenPopup(title.c_str());
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
@@ -102,7 +105,7 @@ void FileBrowser::draw(WidgetRegistry& widgets) {
         open_ = just_opened_;
         return;
     }
-    if (ImGui::Button("Up")) enter(folder_.parent_path());
+    if (ImGui::Button(tr("Up"))) enter(folder_.parent_path());
     widgets.note("browser.up");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
@@ -111,21 +114,22 @@ void FileBrowser::draw(WidgetRegistry& widgets) {
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (just_opened_) ImGui::SetKeyboardFocusHere();
     bool accepted =
-        ImGui::InputTextWithHint("##name", "File name", &purpose_.name, ImGuiInputTextFlags_EnterReturnsTrue);
+        ImGui::InputTextWithHint("##name", tr("File name"), &purpose_.name, ImGuiInputTextFlags_EnterReturnsTrue);
     widgets.note("browser.name");
     std::error_code unknown;
     const bool replaces = purpose_.writing && !purpose_.name.empty() && fs::is_regular_file(chosen(), unknown);
     const std::string remark = !fault_.empty() ? fault_
-                               : replaces ? chosen().filename().string() + " is there already and will be replaced."
-                                          : "";
+                               : replaces
+                                   ? say("{} is there already and will be replaced.", chosen().filename().string())
+                                   : "";
     ImGui::TextColored(style::colour(style::warning), "%s", remark.c_str());
     const float width = 110.0F * style::scale();
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0F * width - ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::Button("Cancel", {width, 0.0F}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
+    if (ImGui::Button(tr("Cancel"), {width, 0.0F}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)))
         stay = false;
     widgets.note("browser.cancel");
     ImGui::SameLine();
-    accepted |= ImGui::Button(replaces ? "Replace" : purpose_.action.c_str(), {width, 0.0F});
+    accepted |= ImGui::Button(tr(replaces ? "Replace" : purpose_.action.c_str()), {width, 0.0F});
     widgets.note("browser.accept");
     just_opened_ = false;
     if (accepted) accept();

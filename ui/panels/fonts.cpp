@@ -1,6 +1,7 @@
 #include "ui/panels/fonts.h"
 
-#include "ui/panels/japanese.h"
+#include "ui/view/japanese.h"
+#include "ui/view/japanese_fonts.h"
 
 #include <array>
 #include <bitset>
@@ -31,24 +32,13 @@ constexpr std::array latin_families{
     Family{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf",
            1.164F},
 };
-constexpr std::array japanese_families{
-    Family{"/usr/share/fonts/truetype/bizud-gothic/BIZUDPGothic-Regular.ttf",
-           "/usr/share/fonts/truetype/bizud-gothic/BIZUDPGothic-Bold.ttf", 1.0F},
-    Family{"/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
-           "/usr/share/fonts/opentype/noto/NotoSansCJK-Bold.ttc", 1.448F},
-    Family{"/usr/share/fonts/opentype/ipaexfont-gothic/ipaexg.ttf",
-           "/usr/share/fonts/opentype/ipaexfont-gothic/ipaexg.ttf", 1.0F},
-    Family{"/usr/share/fonts/opentype/ipafont-gothic/ipagp.ttf", "/usr/share/fonts/opentype/ipafont-gothic/ipagp.ttf",
-           1.0F},
-};
 constexpr float kanji_share = 1.08F;  // of the Latin letters' em: kanji fill theirs, Latin letters do not
 
 // Latin, Greek (for angles), punctuation with dashes and dots, superscripts, arrows, and +- <= >=.
 constexpr ImWchar base_letters[] = {0x20,   0xFF,   0x370,  0x3FF,  0x2010, 0x2027, 0x2030, 0x203A,
                                     0x2070, 0x209F, 0x2190, 0x2199, 0x2205, 0x2206, 0x2211, 0x221E,
                                     0x2248, 0x2248, 0x2260, 0x2265, 0x25A0, 0x25FF, 0};
-constexpr unsigned first_eastern = 0x2E80;  // radicals, kana, kanji and full-width forms from here on
-constexpr unsigned last_letter = 0xFFFF;    // what an ImWchar holds
+constexpr unsigned last_letter = 0xFFFF;  // what an ImWchar holds
 
 struct State {
     Fonts fonts;
@@ -64,9 +54,8 @@ State& state() {
     return only;
 }
 
-template <class Families>
-const Family* first_installed(const Families& families) {
-    for (const Family& family : families) {
+const Family* latin_family() {
+    for (const Family& family : latin_families) {
         if (std::filesystem::exists(family.regular) && std::filesystem::exists(family.strong)) return &family;
     }
     return nullptr;
@@ -91,25 +80,12 @@ ImFont* add(const char* path, float size, const ImVector<ImWchar>& ranges, bool 
                                                       ranges.Data);
 }
 
-template <class Each>
-void for_each_letter(std::string_view utf8, Each each) {
-    for (std::size_t i = 0; i < utf8.size();) {
-        const auto lead = static_cast<unsigned char>(utf8[i]);
-        const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-        unsigned code = length == 1 ? lead : lead & (0xFFU >> (length + 1));
-        for (std::size_t k = 1; k < length && i + k < utf8.size(); ++k)
-            code = (code << 6) | (static_cast<unsigned char>(utf8[i + k]) & 0x3FU);
-        each(code);
-        i += length;
-    }
-}
-
 void gather_ranges() {
     State& now = state();
     ImFontGlyphRangesBuilder latin, eastern;
     latin.AddRanges(base_letters);
     for (unsigned code = 1; code <= last_letter; ++code) {
-        if (now.asked[code]) (code < first_eastern ? latin : eastern).AddChar(static_cast<ImWchar>(code));
+        if (now.asked[code]) (is_eastern(code) ? eastern : latin).AddChar(static_cast<ImWchar>(code));
     }
     now.latin_ranges.clear();
     now.eastern_ranges.clear();
@@ -125,18 +101,24 @@ void gather_ranges() {
 
 const Fonts& fonts() { return state().fonts; }
 
-void needs(std::string_view text) {
+void needs(ImWchar letter) {
     State& now = state();
-    for_each_letter(text, [&](unsigned code) {
-        if (code < 0x80 || code > last_letter || now.loaded[code]) return;
-        now.asked.set(code);
-        now.short_of_letters = true;
-    });
+    if (letter < 0x80 || now.loaded[letter]) return;
+    now.asked.set(letter);
+    now.short_of_letters = true;
+}
+
+void needs(std::string_view text) {
+    while (!text.empty()) {
+        const Letter letter = first_letter(text);
+        text.remove_prefix(letter.bytes);
+        if (letter.code >= 0x80 && letter.code <= last_letter) needs(static_cast<ImWchar>(letter.code));
+    }
 }
 
 bool is_short_of_letters() { return state().short_of_letters; }
 std::string missing_font_remark() { return state().remark; }
-bool has_japanese() { return first_installed(japanese_families) != nullptr; }
+bool has_japanese() { return japanese_font() != nullptr; }
 
 void load_fonts(float scale, Language language) {
     State& now = state();
@@ -148,10 +130,10 @@ void load_fonts(float scale, Language language) {
     }
     gather_ranges();
     now.short_of_letters = false;
-    const Family* const latin = first_installed(latin_families);
-    const bool is_eastern = now.eastern_ranges.Size > 1;
-    const Family* const eastern = is_eastern ? first_installed(japanese_families) : nullptr;
-    now.remark = is_eastern && eastern == nullptr
+    const Family* const latin = latin_family();
+    const bool any_eastern = now.eastern_ranges.Size > 1;
+    const JapaneseFont* const eastern = any_eastern ? japanese_font() : nullptr;
+    now.remark = any_eastern && eastern == nullptr
                      ? "Some letters cannot be shown: no Japanese font is installed (fonts-morisawa-bizud-gothic)."
                      : "";
     const auto make = [&](const char* file, const char* eastern_file, float height) {
@@ -163,8 +145,8 @@ void load_fonts(float scale, Language language) {
         }
         return font;
     };
-    const auto regular = [](const Family* family) { return family != nullptr ? family->regular : nullptr; };
-    const auto strong = [](const Family* family) { return family != nullptr ? family->strong : nullptr; };
+    const auto regular = [](const auto* family) { return family != nullptr ? family->regular : nullptr; };
+    const auto strong = [](const auto* family) { return family != nullptr ? family->strong : nullptr; };
     now.fonts.regular = make(regular(latin), regular(eastern), letter_height);
     now.fonts.strong = make(strong(latin), strong(eastern), letter_height);
     now.fonts.small = make(regular(latin), regular(eastern), small_letter_height);

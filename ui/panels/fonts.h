@@ -25,6 +25,7 @@ const Fonts& fonts();
 /// Says that this text will be drawn, so that the next frames have its letters. Cheap for a text whose
 /// letters are there; a name read from a file, a path, a typed text should go through it.
 void needs(std::string_view text);
+void needs(ImWchar letter);
 
 /// Letters were asked for that are not loaded.
 bool is_short_of_letters();

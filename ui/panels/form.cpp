@@ -14,7 +14,9 @@ namespace {
 /// Before a name that is indented by six blanks.
 void dot(ImDrawList* list, const ImVec2& corner, ImU32 colour) {
     const float radius = 4.0F * style::scale();
-    list->AddCircleFilled({corner.x + 2.0F * radius, corner.y + 0.5F * ImGui::GetTextLineHeight()}, radius, colour);
+    const ImVec2 at{corner.x + 2.0F * radius, corner.y + 0.5F * ImGui::GetTextLineHeight()};
+    list->AddCircleFilled(at, radius, colour);
+    list->AddCircle(at, radius, style::border, 0, style::hairline());  // white is seen on white
 }
 
 }  // namespace
@@ -90,6 +92,7 @@ bool Form::text(const char* name, const char* label_text, const char* help, std:
 
 /// The field alone.
 bool Form::typed(const char* name, const char* help, std::string& value, bool mixed) {
+    style::needs(value);
     std::string shown = mixed ? std::string() : value;
     const bool edited = ImGui::InputTextWithHint((std::string("##") + name).c_str(), mixed ? tr("mixed") : "", &shown,
                                                  ImGuiInputTextFlags_AutoSelectAll);
@@ -137,7 +140,9 @@ bool Form::choice(const char* name, const char* label_text, const char* help, st
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const char* const indent = marks.empty() ? "" : "      ";
     bool changed = false;
-    const std::string preview = mixed ? std::string(tr("mixed")) : indent + entry_now;
+    for (const std::string& each : names) style::needs(each);
+    const std::string preview =
+        mixed ? std::string(tr("mixed")) : fmt::format("{}{}", indent, tr(std::string_view(entry_now)));
     const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), preview.c_str());
     if (valid && !mixed && !marks.empty())
         dot(field, {at.x + padding.x, at.y + padding.y}, marks[static_cast<std::size_t>(chosen)]);
@@ -147,7 +152,8 @@ bool Form::choice(const char* name, const char* label_text, const char* help, st
         for (int k = 0; k < static_cast<int>(names.size()); ++k) {
             const std::string& entry = names[static_cast<std::size_t>(k)];
             const ImVec2 corner = ImGui::GetCursorScreenPos();
-            if (ImGui::Selectable((indent + entry + "##" + std::to_string(k)).c_str(), k == chosen && !mixed) &&
+            if (ImGui::Selectable(fmt::format("{}{}##{}", indent, tr(std::string_view(entry)), k).c_str(),
+                                  k == chosen && !mixed) &&
                 (k != chosen || mixed)) {
                 chosen = k;
                 changed = true;

@@ -1,6 +1,7 @@
 #include "ui/panels/live_study.h"
 
 #include "engine/scene/scene_check.h"
+#include "ui/panels/language.h"
 
 #include <algorithm>
 
@@ -35,7 +36,7 @@ const Diagnostic* LiveStudy::fault() const { return has_errors(findings_) ? &fin
 void LiveStudy::take() {
     if (const std::string failure = job_.take_failure(); !failure.empty()) {
         Diagnostic fault;
-        fault.message = "the study could not be finished (" + failure + "); take wider patches";
+        fault.message = say("the study could not be finished ({}); take wider patches", failure);
         findings_.insert(findings_.begin(), std::move(fault));
     }
     SolutionSnapshot taken = job_.take();

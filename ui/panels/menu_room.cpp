@@ -2,6 +2,7 @@
 #include "engine/edit/material_palette.h"
 #include "engine/edit/reflectances.h"
 #include "engine/edit/sub_areas.h"
+#include "ui/panels/language.h"
 #include "ui/panels/plan_tool.h"
 #include "ui/panels/workbench.h"
 
@@ -90,7 +91,7 @@ void Workbench::do_room(CommandId id) {
         case drop_materials: {
             Scene wished = without_unused_materials(scene);
             const std::size_t gone = scene.materials.size() - wished.materials.size();
-            message_ = gone == 0 ? "Every material is in use" : std::to_string(gone) + " unused materials deleted";
+            message_ = gone == 0 ? tr("Every material is in use") : say("{} unused materials deleted", gone);
             if (gone > 0) document_.commit(std::move(wished), "Delete unused materials");
             selection_.keep_existing(*document_.shown());
             return;

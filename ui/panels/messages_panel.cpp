@@ -2,6 +2,7 @@
 
 #include "engine/edit/edit.h"
 #include "ui/panels/form.h"
+#include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
@@ -24,22 +25,9 @@ std::string time_text(std::chrono::system_clock::time_point when) {
     return fmt::format("{:%H:%M:%S}", local);
 }
 
-/// A sign and a word, so that nobody has to tell by colour alone.
-std::string severity_text(Severity severity) {
-    switch (severity) {
-        case Severity::error:
-            return fmt::format("■ {}", tr("Error"));
-        case Severity::warning:
-            return fmt::format("▲ {}", tr("Warning"));
-        case Severity::note:
-            return fmt::format("● {}", tr("Note"));
-    }
-    return {};
-}
-
-ImU32 colour_of(Severity severity) {
-    const ImU32 loud = style::warning, plain = style::text, quiet = style::quiet_text;
-    return severity == Severity::error ? loud : severity == Severity::warning ? plain : quiet;
+/// Beside its sign, so that nobody has to tell by colour alone.
+const char* severity_text(Severity severity) {
+    return severity == Severity::error ? tr("Error") : severity == Severity::warning ? tr("Warning") : tr("Note");
 }
 
 bool holds(const std::string& text, const std::string& words) {
@@ -58,7 +46,7 @@ std::vector<MessagesPanel::Row> MessagesPanel::rows(const Diagnostics& checks, c
         if (static_cast<int>(row.finding.severity) < least_) return;
         if (words_.empty() || holds(row.source + ' ' + to_text(row.finding), words_)) rows.push_back(std::move(row));
     };
-    for (const Diagnostic& finding : checks) add({tr("now"), "Scene", finding, 1});
+    for (const Diagnostic& finding : checks) add({tr("now"), tr("Scene"), finding, 1});
     const auto& entries = messages.entries();
     for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
         add({timed ? time_text(entry->when) : std::string(), entry->source, entry->finding, entry->count});
@@ -116,6 +104,7 @@ std::optional<ObjectId> MessagesPanel::draw(const Scene& scene, const Diagnostic
         const bool exists = kind_of(scene, object) != ObjectKind::none;
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
+        icon_item(icon_of(finding.severity), colour_of(finding.severity));
         ImGui::PushStyleColor(ImGuiCol_Text, colour_of(finding.severity));
         if (ImGui::Selectable(fmt::format("{}##{}", severity_text(finding.severity), k).c_str(), false,
                               ImGuiSelectableFlags_SpanAllColumns) &&
@@ -133,7 +122,7 @@ std::optional<ObjectId> MessagesPanel::draw(const Scene& scene, const Diagnostic
         Diagnostic plain = finding;
         plain.severity = Severity::error;  // written without a word: the sign says it
         std::string text = to_text(plain);
-        if (shown[k].count > 1) text += fmt::format("  ({} times)", shown[k].count);
+        if (shown[k].count > 1) text += say("  ({} times)", shown[k].count);
         ImGui::TextWrapped("%s", text.c_str());
     }
     ImGui::EndTable();

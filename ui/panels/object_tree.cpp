@@ -1,11 +1,13 @@
 #include "ui/panels/object_tree.h"
 
 #include "ui/panels/choosing.h"
+#include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/property_rows.h"
 #include "ui/panels/style.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -67,9 +69,24 @@ private:
         }
         if (id == roll_to_ && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
         ImGui::PopID();
-        const float radius = 4.0F * style::scale();
-        ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 2.0F * radius, at.y + 0.5F * height}, radius, mark);
+        draw_mark({at.x + 3.0F * style::scale(), at.y}, height, id, mark);
         order.push_back(id);
+    }
+
+    /// A drawing of its kind; a material's own colour.
+    void draw_mark(ImVec2 at, float height, ObjectId id, ImU32 mark) const {
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const float size = std::round(0.85F * icon_size());
+        const ImVec2 low{at.x, std::round(at.y + 0.5F * (height - size))}, high{low.x + size, low.y + size};
+        const ObjectKind kind = kind_of(scene_, id);
+        if (kind == ObjectKind::material) {
+            list.AddRectFilled(low, high, mark, 3.0F * style::scale());
+            list.AddRect(low, high, style::border, 3.0F * style::scale(), ImDrawFlags_None, style::hairline());
+            return;
+        }
+        constexpr double seen = 2.0;  // of contrast: pale light on a pale panel is drawn in the accent
+        const ImU32 ink = style::contrast(mark, style::panel) < seen ? ImU32(style::accent) : mark;
+        draw_icon(list, icon_of(kind), low, size, ink);
     }
 
     /// A material is shown in its own colour, a luminaire in that of its light.

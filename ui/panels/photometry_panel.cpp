@@ -1,6 +1,7 @@
 #include "ui/panels/photometry_panel.h"
 
 #include "engine/scene/intensity.h"
+#include "ui/panels/language.h"
 #include "ui/panels/photometry_plot.h"
 #include "ui/panels/photometry_rows.h"
 #include "ui/panels/style.h"
@@ -16,14 +17,14 @@ namespace {
 bool word(const char* label, bool on, const char* name, const char* help, WidgetRegistry& widgets) {
     ImGui::PushStyleColor(ImGuiCol_Button, on ? ImU32(style::chosen) : style::none);
     ImGui::PushStyleColor(ImGuiCol_Text, on ? style::accent : style::text);
-    const bool pressed = ImGui::Button(label);
+    const bool pressed = ImGui::Button(fmt::format("{}##{}", tr(label), name).c_str());
     ImGui::PopStyleColor(2);
     widgets.note(name);
     tooltip(help);
     return pressed;
 }
 
-float width_of(const char* label) { return ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x; }
+float width_of(const char* label) { return ImGui::CalcTextSize(tr(label)).x + 2.0F * ImGui::GetStyle().FramePadding.x; }
 
 std::string plane_name(double plane_deg) { return fmt::format("C{:g} – C{:g}", plane_deg, plane_deg + 180.0); }
 
@@ -103,7 +104,7 @@ void PhotometryPanel::plot(Form& form) {
     }
     ImGui::PushFont(style::fonts().small);
     const bool quiet = readout_.empty();
-    const std::string line = quiet ? "Point at the curves to read them." : readout_;
+    const std::string line = quiet ? tr("Point at the curves to read them.") : readout_;
     ImGui::TextColored(style::colour(quiet ? style::quiet_text : style::text), "%s", line.c_str());
     ImGui::PopFont();
     plane_choices(form);
@@ -111,7 +112,7 @@ void PhotometryPanel::plot(Form& form) {
 
 void PhotometryPanel::plane_choices(Form& form) {
     if (planes_.size() < 2) {
-        ImGui::TextColored(style::colour(style::quiet_text), "All planes are alike.");
+        ImGui::TextColored(style::colour(style::quiet_text), "%s", tr("All planes are alike."));
         return;
     }
     const float gap = 10.0F * style::scale();
@@ -148,10 +149,10 @@ void PhotometryPanel::actions(const Scene& scene, const Luminaire& luminaire, co
                     "are none  (Shift+T)"))
         wish(turned_by_a_quarter(photometry), "Turn intensities by 90 degrees");
     if (photometry.quarter_turns != 0)
-        form.remark(fmt::format("Intensities stand {}° from the housing.", 90 * photometry.quarter_turns), false);
+        form.remark(say("Intensities stand {}° from the housing.", 90 * photometry.quarter_turns), false);
     const int users = users_of(scene, photometry.id);
     if (users > 1) {
-        const std::string label = fmt::format("All {} alike", users);
+        const std::string label = say("All {} alike", users);
         form.toggle("photometry.all", label.c_str(),
                     "Lamps, turned intensities and another file go to every luminaire of this file, or to this one "
                     "alone",
@@ -168,14 +169,14 @@ PhotometryPanel::Outcome PhotometryPanel::draw(const Scene& scene, ObjectId id, 
     if (photometry == nullptr) {
         ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
         ImGui::TextWrapped("%s", luminaire == nullptr
-                                     ? "Choose a luminaire, or drop a luminaire file on the room."
-                                     : "This luminaire is not measured: its light follows a formula. Drop a "
-                                       "luminaire file on it to give it measured light.");
+                                     ? tr("Choose a luminaire, or drop a luminaire file on the room.")
+                                     : tr("This luminaire is not measured: its light follows a formula. Drop a "
+                                          "luminaire file on it to give it measured light."));
         ImGui::PopStyleColor();
         return outcome;
     }
     if (!hangs_together(*photometry)) {
-        ImGui::TextWrapped("The table of this photometry does not hang together: see Messages.");
+        ImGui::TextWrapped("%s", tr("The table of this photometry does not hang together: see Messages."));
         return outcome;
     }
     look_at(*photometry);

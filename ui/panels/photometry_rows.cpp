@@ -2,6 +2,8 @@
 
 #include "engine/report/photometry_report.h"
 #include "engine/scene/intensity.h"
+#include "ui/panels/icon.h"
+#include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace {
 void figure(const char* label, const std::string& text, const char* help = "") {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextColored(style::colour(style::quiet_text), "%s", label);
+    ImGui::TextColored(style::colour(style::quiet_text), "%s", tr(label));
     tooltip(help);
     ImGui::TableNextColumn();
     ImGui::PushTextWrapPos(0.0F);
@@ -29,8 +31,8 @@ std::string percent(double share) { return fmt::format("{:.1f} %", 100.0 * share
 
 /// "100.0 %", with what the file declares beside it where it does.
 std::string share_text(const std::optional<double>& computed, const std::optional<double>& declared) {
-    std::string text = computed ? percent(*computed) : "not available";
-    if (declared) text += " (file: " + percent(*declared) + ")";
+    std::string text = computed ? percent(*computed) : tr("not available");
+    if (declared) text += say(" (file: {})", percent(*declared));
     return text;
 }
 
@@ -41,27 +43,27 @@ std::string peak_text(const Photometry& photometry, const PhotometryFigures& fig
     const char* angle = photometry.type == PhotometricType::C   ? "γ "
                         : photometry.type == PhotometricType::B ? "V "
                                                                 : "Y ";
-    return fmt::format("{:.1f} cd at {}{:g}, {}{:g}°", figures.peak.value, plane, figures.peak_at.horizontal_deg, angle,
-                       figures.peak_at.vertical_deg);
+    return say("{:.1f} cd at {}{:g}, {}{:g}°", figures.peak.value, plane, figures.peak_at.horizontal_deg, angle,
+               figures.peak_at.vertical_deg);
 }
 
 std::string span_text(const std::optional<AngleSpan>& span) {
-    if (!span) return "none";
+    if (!span) return tr("none");
     const auto angle = [](double degrees) {
         return fmt::format("{}{:.1f}", degrees < -0.05 ? "−" : "", std::abs(degrees));
     };
-    return fmt::format("{:.1f}°  ({} to {}{})", span->width_deg(), angle(span->from_deg), angle(span->to_deg),
-                       span->cut ? ", cut" : "");
+    return say("{:.1f}°  ({} to {}{})", span->width_deg(), angle(span->from_deg), angle(span->to_deg),
+               span->cut ? tr(", cut") : "");
 }
 
 void span_rows(const PhotometryFigures& figures, bool alike) {
     const auto rows = [](const PlaneFigures& plane, const char* beam, const char* field) {
         const std::string from =
-            plane.upward ? " Counted from the zenith: the plane's peak is above the horizontal." : "";
-        figure(beam, span_text(plane.beam), ("Between the directions of 50 % of the plane's peak." + from).c_str());
+            plane.upward ? tr(" Counted from the zenith: the plane's peak is above the horizontal.") : "";
+        figure(beam, span_text(plane.beam), (tr("Between the directions of 50 % of the plane's peak.") + from).c_str());
         figure(field, span_text(plane.field),
-               ("Between the directions of 10 % of the plane's peak; \"cut\" where it still is above that at the "
-                "horizontal." +
+               (tr("Between the directions of 10 % of the plane's peak; cut where it still is above that at the "
+                   "horizontal.") +
                 from)
                    .c_str());
     };
@@ -90,7 +92,7 @@ std::string candela_text(double value) {
 }
 
 std::string lamp_text(const LampSet& lamps) {
-    std::string text = lamps.type.empty() ? "Lamp" : lamps.type;
+    std::string text = lamps.type.empty() ? tr("Lamp") : lamps.type;
     if (std::abs(lamps.count) != 1.0) text = fmt::format("{:g} × {}", std::abs(lamps.count), text);
     if (lamps.lumens > 0.0) text += fmt::format(", {:g} lm", lamps.lumens);
     if (lamps.watts > 0.0) text += fmt::format(", {:g} W", lamps.watts);
@@ -99,9 +101,9 @@ std::string lamp_text(const LampSet& lamps) {
 
 std::string opening_text(const Photometry& photometry) {
     const MeasuredOpeningSize& size = photometry.opening;
-    const std::string shape(name_of(size.shape));
-    if (size.shape == OpeningShape::point) return "point, no extent";
-    if (size.shape == OpeningShape::circle) return fmt::format("circle, Ø {:g} m", size.extent_0);
+    const std::string shape(tr(name_of(size.shape)));
+    if (size.shape == OpeningShape::point) return tr("point, no extent");
+    if (size.shape == OpeningShape::circle) return say("circle, Ø {:g} m", size.extent_0);
     std::string text = fmt::format("{}, {:g} × {:g}", shape, size.extent_0, size.extent_90);
     if (size.height > 0.0) text += fmt::format(" × {:g}", size.height);
     return text + " m";
@@ -111,7 +113,7 @@ bool photometry_title(const Photometry& photometry, WidgetRegistry& widgets) {
     ImGui::PushFont(style::fonts().strong);
     ImGui::TextWrapped("%s", (photometry.name.empty() ? photometry.source_file : photometry.name).c_str());
     ImGui::PopFont();
-    constexpr const char* replace = "Replace...";
+    const char* const replace = tr("Replace...");
     const float button = ImGui::CalcTextSize(replace).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     const float room = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -129,8 +131,9 @@ bool photometry_title(const Photometry& photometry, WidgetRegistry& widgets) {
     tooltip("Hang the light of another file in its place");
     const std::size_t remarks = photometry.warnings.size();
     if (remarks > 0) {
-        const std::string count = remarks == 1 ? "1 remark" : fmt::format("{} remarks", remarks);
-        ImGui::TextColored(style::colour(style::warning), "%s on this file, below", count.c_str());
+        const char* const words = remarks == 1 ? "{} remark on this file, below" : "{} remarks on this file, below";
+        icon_item(Icon::note, style::warning);
+        ImGui::TextColored(style::colour(style::warning), "%s", say(words, remarks).c_str());
     }
     return wished;
 }
@@ -152,7 +155,7 @@ bool flux_rows(Luminaire& luminaire, const Photometry& photometry, Form& form) {
         form.remark("As measured", false);
         return false;
     }
-    form.remark(fmt::format("{:.1f} % of the {:.0f} lm measured", 100.0 * lumens / measured, measured), false);
+    form.remark(say("{:.1f} % of the {:.0f} lm measured", 100.0 * lumens / measured, measured), false);
     if (!form.button("luminaire.as_measured", "As measured", "Takes the flux of the file again")) return false;
     luminaire.output = AsMeasured{};
     return true;
@@ -167,27 +170,27 @@ void figure_rows(const Photometry& photometry, const PhotometryFigures& figures,
     if (figures.declared_flux)
         figure("Declared", fmt::format("{:.1f} lm", figures.declared_flux->value), "What the file states");
     figure("Output ratio",
-           photometry.absolute ? "absolute photometry"
+           photometry.absolute ? tr("absolute photometry")
                                : share_text(figures.output_ratio, photometry.declared_output_ratio),
            "Luminous flux of the luminaire over that of its lamps");
     figure("Downward", share_text(figures.downward_share, photometry.declared_downward_share),
            "Share of the luminous flux below the horizontal");
-    figure("Efficacy", figures.efficacy ? fmt::format("{:.1f} lm/W", *figures.efficacy) : "not available");
-    figure("Power", photometry.input_watts > 0.0 ? fmt::format("{:g} W", photometry.input_watts) : "not stated");
+    figure("Efficacy", figures.efficacy ? fmt::format("{:.1f} lm/W", *figures.efficacy) : tr("not available"));
+    figure("Power", photometry.input_watts > 0.0 ? fmt::format("{:g} W", photometry.input_watts) : tr("not stated"));
     figure("Peak", peak_text(photometry, figures));
     span_rows(figures, figures.symmetry_found == PhotometricSymmetry::rotational);
-    figure("Symmetry", std::string(name_of(figures.symmetry_found)), "As the intensities show it, to 1 % of the peak");
+    figure("Symmetry", std::string(tr(name_of(figures.symmetry_found))),
+           "As the intensities show it, to 1 % of the peak");
     figure("Opening", opening_text(photometry), "Along plane 0, along plane 90, and its height");
     figure("As a point",
-           figures.point_distance
-               ? fmt::format("beyond {:.2f} m: error ≤ {:g} %", *figures.point_distance, 100.0 * point_error)
-               : "at no distance",
+           figures.point_distance ? say("beyond {:.2f} m: error ≤ {:g} %", *figures.point_distance, 100.0 * point_error)
+                                  : tr("at no distance"),
            "From where on the opening may be taken for a point, proved from the table: the error is a share of peak "
            "intensity over distance squared");
-    figure("Format", fmt::format("{}, type {}", photometry.format, name_of(photometry.type)));
+    figure("Format", say("{}, type {}", photometry.format, name_of(photometry.type)));
     const std::size_t planes = photometry.horizontal_deg.size();
-    figure("Table",
-           fmt::format("{} angles in {} plane{}", photometry.vertical_deg.size(), planes, planes == 1 ? "" : "s"));
+    figure("Table", say(planes == 1 ? "{} angles in {} plane" : "{} angles in {} planes",
+                        photometry.vertical_deg.size(), planes));
     for (const std::string& difference : figures.differences) form.remark(difference, true);
     if (!photometry.warnings.empty()) form.heading("Remarks");
     for (const std::string& text : photometry.warnings) form.remark(text, true);
@@ -198,12 +201,13 @@ void keyword_rows(const Photometry& photometry, Form& form) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, style::text);
-    const bool open =
-        ImGui::TreeNodeEx("Keywords", ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanFullWidth);
+    const bool open = ImGui::TreeNodeEx(
+        "keywords", ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanFullWidth, "%s", tr("Keywords"));
     ImGui::PopStyleColor();
     form.widgets().note("photometry.keywords");
     ImGui::TableNextColumn();
-    ImGui::TextColored(style::colour(style::quiet_text), "%zu in the file", photometry.keywords.size());
+    ImGui::TextColored(style::colour(style::quiet_text), "%s",
+                       say("{} in the file", photometry.keywords.size()).c_str());
     if (!open) return;
     for (const auto& [key, text] : photometry.keywords) figure(key.c_str(), text, key.c_str());
 }

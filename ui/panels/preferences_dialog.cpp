@@ -36,7 +36,7 @@ void look(Preferences& preferences, Form& form) {
     choose(form, "preferences.language", "Language", "Of everything on the screen; names you gave stay as they are",
            {"English", "日本語"}, preferences.language);
     choose(form, "preferences.theme", "Theme", "Dark beside a dark room on the screen, light in a bright office",
-           {tr("Dark"), tr("Light")}, preferences.theme);
+           {tr("Dark"), tr("Bright")}, preferences.theme);
     choose_scale(form, preferences.scale);
     form.toggle("preferences.layout", "Panels", "Panels have the sizes of the last time when the program starts",
                 preferences.restores_layout);

@@ -4,6 +4,7 @@
 #include "engine/report/numbers.h"
 #include "engine/study/study.h"
 #include "ui/panels/illuminance_text.h"
+#include "ui/panels/language.h"
 #include "ui/view/pick.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace hanei {
 
 std::string short_figure(double value) {
     const double size = std::abs(value);
-    if (!has_bound(size)) return "no bound";
+    if (!has_bound(size)) return tr("no bound");
     if (size >= 99.95 || size == 0.0) return fmt::format("{:.0f}", value);
     if (size >= 9.995) return fmt::format("{:.1f}", value);
     if (size >= 0.995) return fmt::format("{:.2f}", value);
@@ -33,23 +34,23 @@ std::string causes(const ErrorBar& error) {
     std::string text;
     for (const auto& [lux, cause] : parts)
         if (lux > matters * error.total())
-            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", cause, illuminance_figure(lux));
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", tr(cause), illuminance_figure(lux));
     return text;
 }
 
 std::string Probe::text() const {
-    if (value.inside_solid) return "inside · " + surface;
+    if (value.inside_solid) return say("inside · {}", surface);
     const std::string split = causes(value.error);
-    return fmt::format("{} ± {}{} · direct {} · interreflected {} · {}", illuminance_text(value.total().value),
-                       illuminance_figure(value.error.total()), split.empty() ? "" : " (" + split + ")",
-                       illuminance_figure(value.direct.value), illuminance_figure(value.interreflected.value), surface);
+    return say("{} ± {}{} · direct {} · interreflected {} · {}", illuminance_text(value.total().value),
+               illuminance_figure(value.error.total()), split.empty() ? "" : " (" + split + ")",
+               illuminance_figure(value.direct.value), illuminance_figure(value.interreflected.value), surface);
 }
 
 std::string surface_name(const Scene& scene, const SurfaceRef& surface) {
     if (!scene.room || surface.object != scene.room->id) return display_name(scene, surface.object);
-    if (surface.face == Room::floor_face) return "Floor";
-    if (surface.face == Room::ceiling_face) return "Ceiling";
-    return fmt::format("Wall {}", surface.face - Room::wall_face(0) + 1);
+    if (surface.face == Room::floor_face) return tr("Floor");
+    if (surface.face == Room::ceiling_face) return tr("Ceiling");
+    return say("Wall {}", surface.face - Room::wall_face(0) + 1);
 }
 
 std::optional<Probe> probe_at(const Solution& solution, const Ray& ray) {

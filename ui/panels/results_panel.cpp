@@ -2,6 +2,7 @@
 
 #include "engine/edit/edit.h"
 #include "ui/panels/form.h"
+#include "ui/panels/icon.h"
 #include "ui/panels/illuminance_text.h"
 #include "ui/panels/language.h"
 #include "ui/panels/live_study.h"
@@ -43,13 +44,15 @@ void header(std::span<const Column> columns) {
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int k = 0; k < static_cast<int>(columns.size()); ++k) {
+        const Column& column = columns[static_cast<std::size_t>(k)];
+        const char* const title = tr(column.title);
         ImGui::TableSetColumnIndex(k);
         ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
-        const std::string title = in_shown_unit(columns[static_cast<std::size_t>(k)].title);
-        if (columns[static_cast<std::size_t>(k)].figures) to_right(title.c_str());
-        ImGui::TextUnformatted(title.c_str());
+        const std::string shown = in_shown_unit(title);
+        if (column.figures) to_right(shown.c_str());
+        ImGui::TextUnformatted(shown.c_str());
         ImGui::PopStyleColor();
-        tooltip(columns[static_cast<std::size_t>(k)].help);
+        tooltip(column.help);
     }
 }
 
@@ -80,16 +83,19 @@ bool name_cell(const std::string& name, ObjectId id, ObjectId selected, WidgetRe
 void fact(const char* what, const std::string& value, const char* unit, const char* help) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextColored(style::colour(style::quiet_text), "%s", what);
+    ImGui::TextColored(style::colour(style::quiet_text), "%s", tr(what));
     tooltip(help);
     cell(value);
-    cell(unit, style::quiet_text);
+    cell(tr(unit), style::quiet_text);
 }
 
-ImU32 colour_of(EffectState state) {
-    return state == EffectState::simulated ? style::good
-           : state == EffectState::skipped ? style::warning
-                                           : style::quiet_text;
+/// Its mark tells the state by shape, its word in letters, its colour besides.
+void state_cell(EffectState state) {
+    const bool simulated = state == EffectState::simulated, skipped = state == EffectState::skipped;
+    const ImU32 ink = simulated ? style::good : skipped ? style::warning : style::quiet_text;
+    ImGui::TableNextColumn();
+    icon_item(simulated ? Icon::done : skipped ? Icon::hidden : Icon::none, ink);
+    ImGui::TextColored(style::colour(ink), "%s", std::string(tr(name_of(state))).c_str());
 }
 
 std::string milliseconds(double value) { return value < 0.0 ? "–" : short_figure(value) + " ms"; }
@@ -124,7 +130,7 @@ std::optional<ObjectId> results_table(const Solution& solution, ObjectId selecte
     for (const PointResult& point : solution.points) {
         if (name_cell(display_name(*solution.scene, point.point), point.point, selected, widgets))
             clicked = point.point;
-        figure(point.value.inside_solid ? "inside" : illuminance_figure(point.value.total().value));
+        figure(point.value.inside_solid ? tr("inside") : illuminance_figure(point.value.total().value));
         for (int k = 0; k < 3; ++k) figure("");
         figure(illuminance_figure(point.value.direct.value));
         figure(illuminance_figure(point.value.error.total()));
@@ -145,8 +151,8 @@ void effects_table(const EffectsPlan& plan, bool measured) {
     header(columns);
     for (const PlannedEffect& row : plan.effects) {
         ImGui::TableNextRow();
-        cell(std::string(name_of(row.effect)));
-        cell(std::string(name_of(row.state)), colour_of(row.state));
+        cell(std::string(tr(name_of(row.effect))));
+        state_cell(row.state);
         cell(row.state == EffectState::skipped ? illuminance_figure(row.bound_lux) : "–");
         const bool ran = row.measured_ms >= 0.0;
         cell(!measured ? "–" : ran ? milliseconds(row.measured_ms) : "≈ " + milliseconds(row.predicted_ms));

@@ -46,8 +46,8 @@ std::optional<Settings> settings_panel(const Settings& settings, Form& form) {
     int chosen = static_cast<int>(wished.method);
     bool changed =
         form.choice("settings.method", "Method",
-                    "patch: one value a patch, the fastest to follow the mouse. linear: values that slope across a\n"
-                    "patch, for final figures. paper: the method of Nishita and Nakamae, 1985. paper-closed: the\n"
+                    "patch: one value a patch, the fastest to follow the mouse. linear: values that slope across a "
+                    "patch, for final figures. paper: the method of Nishita and Nakamae, 1985. paper-closed: the "
                     "same, made to lose and gain no light",
                     names, chosen);
     wished.method = methods[static_cast<std::size_t>(chosen)];

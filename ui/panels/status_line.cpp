@@ -1,5 +1,6 @@
 #include "engine/edit/several.h"
 #include "ui/panels/form.h"
+#include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/probe.h"
@@ -14,19 +15,20 @@ namespace hanei {
 namespace {
 
 struct Status {
-    ImU32 light = style::quiet_text;
-    std::string text = "Nothing computed yet";
+    Icon icon = Icon::stale;
+    ImU32 ink = style::quiet_text;
+    std::string text = tr("Nothing computed yet");
 };
 
 std::string bound_of(const Solution& solution) {
-    return fmt::format("iteration error ≤ {} lx", short_figure(solution.iteration_bound));
+    return say("iteration error ≤ {} lx", short_figure(solution.iteration_bound));
 }
 
 /// "0.3 s old"; so that it does not flicker, in steps that grow with it.
 std::string age_text(double seconds) {
-    if (seconds < 10.0) return fmt::format("{:.1f} s old", seconds);
-    if (seconds < 120.0) return fmt::format("{:.0f} s old", seconds);
-    return fmt::format("{:.0f} min old", seconds / 60.0);
+    if (seconds < 10.0) return say("{:.1f} s old", seconds);
+    if (seconds < 120.0) return say("{:.0f} s old", seconds);
+    return say("{:.0f} min old", seconds / 60.0);
 }
 
 Status answered(const Solution& solution) {
@@ -34,31 +36,33 @@ Status answered(const Solution& solution) {
     const std::string_view end = solution.converged ? "Converged"
                                  : as_set           ? "Ended after the bounces that are set"
                                                     : "Not converged";
-    const std::string text = fmt::format("{} · {} interreflections · {}", end, solution.bounces, bound_of(solution));
-    return {solution.converged || as_set ? style::good : style::warning, text};
+    const std::string text = say("{} · {} interreflections · {}", tr(end), solution.bounces, bound_of(solution));
+    if (solution.converged || as_set) return {Icon::done, style::good, text};
+    return {Icon::warning, style::warning, text};
 }
 
 /// What is being worked out, how far it is, and what the values on the screen are worth meanwhile.
 Status under_way(const LiveStudy& study, bool timed, bool stops_on_escape) {
-    Status status{style::accent, "Computing"};
+    Status status{Icon::busy, style::accent, tr("Computing")};
     const Stage stage = study.progress().stage();
-    if (stage != Stage::idle && stage != Stage::done) status.text += fmt::format(" · {}", name_of(stage));
+    if (stage != Stage::idle && stage != Stage::done) status.text += fmt::format(" · {}", tr(name_of(stage)));
     const double share = static_cast<double>(study.progress().fraction());
     if (share > 0.0) status.text += fmt::format(" {:.0f} %", 100.0 * share);
     if (study.answer()) {
         status.text +=
-            timed ? fmt::format(" · values {}", age_text(study.answer_age())) : std::string(" · values of before");
+            timed ? say(" · values {}", age_text(study.answer_age())) : std::string(tr(" · values of before"));
         status.text += " · " + bound_of(*study.answer());
     }
-    if (stops_on_escape && study.is_cancellable()) status.text += " · Esc stops";
+    if (stops_on_escape && study.is_cancellable()) status.text += tr(" · Esc stops");
     return status;
 }
 
 Status status_of(const LiveStudy& study, bool timed, bool stops_on_escape) {
-    if (study.fault() != nullptr) return {style::warning, study.fault()->message};
+    if (study.fault() != nullptr) return {Icon::error, style::error, study.fault()->message};
     if (study.fresh()) return answered(*study.solution());
     if (study.is_cancelled())
-        return {style::warning, "Stopped · the values are those of before · any change computes anew"};
+        return {Icon::stopped, style::warning,
+                tr("Stopped · the values are those of before · any change computes anew")};
     if (study.busy()) return under_way(study, timed, stops_on_escape);
     return {};
 }
@@ -72,34 +76,30 @@ void Workbench::status_line(const ScreenRect& area) {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     const Status status = status_of(study_, !how_.repeatable, !selection_.primary());
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float radius = 4.0F * style::scale();
-    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, at.y + 0.5F * ImGui::GetTextLineHeight()}, radius,
-                                                status.light);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 3.5F * radius);
+    icon_item(status.icon, status.ink);
     ImGui::TextUnformatted(status.text.c_str());
     widgets_.note("status");
     std::string right = viewport_.tool() != nullptr ? viewport_.tool()->hint() : message_;
     const Scene& scene = *document_.shown();
     if (const auto place = middle_of(scene, selection_.ids())) {
-        const std::string what = selection_.ids().size() > 1 ? words_for(scene, selection_.ids())
+        const std::string what = selection_.ids().size() > 1 ? phrase(words_for(scene, selection_.ids()))
                                                              : display_name(scene, selection_.primary());
         right += fmt::format("{}{}  x {:.2f}  y {:.2f}  z {:.2f} m", right.empty() ? "" : "     ", what, place->x,
                              place->y, place->z);
     }
-    right += snaps_ ? "     Snap 0.1 m" : "     Free";
+    right += std::string("     ") + tr(snaps_ ? "Snap 0.1 m" : "Free");
     const std::optional<Task> task = running_task();
-    const std::string errors = messages_.unread_errors() == 0 ? std::string()
-                               : messages_.unread_errors() == 1
-                                   ? fmt::format("■ {}", tr("1 error"))
-                                   : fmt::format(fmt::runtime(tr("■ {} errors")), messages_.unread_errors());
+    const std::string errors = messages_.unread_errors() == 0   ? std::string()
+                               : messages_.unread_errors() == 1 ? std::string(tr("1 error"))
+                                                                : say("{} errors", messages_.unread_errors());
     if (task) right.clear();
     float width = task ? task_bar_width * style::scale() : ImGui::CalcTextSize(right.c_str()).x;
-    if (!errors.empty()) width += ImGui::CalcTextSize(errors.c_str()).x + 24.0F * style::scale();
+    if (!errors.empty()) width += ImGui::CalcTextSize(errors.c_str()).x + icon_size() + 30.0F * style::scale();
     ImGui::SameLine(
         std::max(ImGui::GetItemRectMax().x + 24.0F, area.right - area.left - width - 14.0F * style::scale()));
     if (!errors.empty()) {
-        ImGui::TextColored(style::colour(style::warning), "%s", errors.c_str());
+        icon_item(Icon::error, style::error);
+        ImGui::TextColored(style::colour(style::error), "%s", errors.c_str());
         widgets_.note("status.errors");
         if (ImGui::IsItemClicked()) opens_messages_ = true;
         tooltip("Click for the list of what went wrong");

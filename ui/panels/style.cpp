@@ -127,4 +127,9 @@ float scale() { return present.scale; }
 float hairline() { return std::max(1.0F, std::floor(present.scale)); }
 ImVec4 colour(ImU32 packed) { return ImGui::ColorConvertU32ToFloat4(packed); }
 
+ImU32 faded(ImU32 packed, float share) {
+    const auto opacity = static_cast<float>((packed >> IM_COL32_A_SHIFT) & 0xFF) * share;
+    return (packed & ~IM_COL32_A_MASK) | (static_cast<ImU32>(opacity) << IM_COL32_A_SHIFT);
+}
+
 }  // namespace hanei::style

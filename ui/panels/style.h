@@ -65,4 +65,7 @@ float hairline();
 
 ImVec4 colour(ImU32 packed);
 
+/// With this share of its opacity.
+ImU32 faded(ImU32 packed, float share);
+
 }  // namespace hanei::style

@@ -1,14 +1,15 @@
 #include "ui/panels/time_left.h"
 
+#include "ui/panels/language.h"
+
 #include <cmath>
-#include <fmt/format.h>
 
 namespace hanei {
 
 std::string time_left_text(std::optional<double> seconds) {
     if (!seconds || !std::isfinite(*seconds)) return {};
-    if (*seconds < 90.0) return fmt::format("{:.0f} s left", std::ceil(*seconds));
-    return fmt::format("{:.0f} min left", std::ceil(*seconds / 60.0));
+    if (*seconds < 90.0) return say("{:.0f} s left", std::ceil(*seconds));
+    return say("{:.0f} min left", std::ceil(*seconds / 60.0));
 }
 
 std::optional<double> TimeLeft::seconds(Stage stage, float fraction, Clock::time_point now) {

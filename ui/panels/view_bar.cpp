@@ -3,10 +3,12 @@
 #include "engine/edit/edit.h"
 #include "ui/panels/command.h"
 #include "ui/panels/form.h"
+#include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/section.h"
 #include "ui/panels/style.h"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -14,16 +16,28 @@
 namespace hanei {
 namespace {
 
+/// Where words find no room, drawings stand for them.
+bool is_narrow = false;
+
+std::string help_of(const Command& entry) {
+    const std::string chord = to_text(entry.chord);
+    return fmt::format("{}{}{}{}", tr(entry.help), chord.empty() ? "" : "  (", chord, chord.empty() ? "" : ")");
+}
+
 /// One of a row of buttons of which one is on.
-bool segment(const char* label, bool on, CommandId id, WidgetRegistry& widgets) {
+bool segment(const char* label, bool on, CommandId id, WidgetRegistry& widgets, Icon icon = Icon::none) {
+    const Command& entry = command(id);
+    if (is_narrow && icon != Icon::none) {
+        const bool chosen = icon_button(std::string(entry.name).c_str(), icon, help_of(entry), on, widgets);
+        ImGui::SameLine(0.0F, 2.0F * style::scale());
+        return chosen;
+    }
     ImGui::PushStyleColor(ImGuiCol_Button, on ? ImU32(style::chosen) : style::none);
     ImGui::PushStyleColor(ImGuiCol_Text, on ? style::accent : style::text);
-    const bool pressed = ImGui::Button(label);
+    const bool pressed = ImGui::Button(fmt::format("{}##{}", tr(label), label).c_str());
     ImGui::PopStyleColor(2);
-    const Command& entry = command(id);
     widgets.note(std::string(entry.name));
-    const std::string chord = to_text(entry.chord);
-    tooltip(std::string(entry.help) + (chord.empty() ? "" : "  (" + chord + ")"));
+    tooltip(help_of(entry));
     ImGui::SameLine(0.0F, 2.0F * style::scale());
     return pressed;
 }
@@ -51,41 +65,67 @@ void parts(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
         Choice{"Unshadowed", LightPart::unshadowed, CommandId::part_unshadowed},
     };
     const bool four = state.panes.shows_parts();
-    for (const Choice& choice : choices) {
-        const bool on = !four && !state.options.shadow_classes && state.options.part == choice.part;
-        if (segment(choice.label, on, choice.command, widgets)) state.show(choice.part, scene);
+    const auto is_on = [&](const Choice& choice) {
+        return !four && !state.options.shadow_classes && state.options.part == choice.part;
+    };
+    const auto found = std::find_if(choices.begin(), choices.end(), is_on);
+    const char* const present = found == choices.end() ? "Four" : found->label;
+    const float arrow = ImGui::GetFrameHeight();
+    if (is_narrow) ImGui::SetNextItemWidth(ImGui::CalcTextSize(tr("Interreflected")).x + arrow);
+    if (is_narrow && ImGui::BeginCombo("##part", tr(present))) {
+        for (const Choice& choice : choices) {
+            if (ImGui::Selectable(tr(choice.label), is_on(choice))) state.show(choice.part, scene);
+        }
+        ImGui::EndCombo();
     }
-    if (segment("Four", four, CommandId::four_up, widgets)) {
+    if (is_narrow) {
+        widgets.note("view.part");
+        tooltip("Which light is shown");
+        ImGui::SameLine(0.0F, 2.0F * style::scale());
+    }
+    for (const Choice& choice : choices) {
+        if (!is_narrow && segment(choice.label, is_on(choice), choice.command, widgets)) state.show(choice.part, scene);
+    }
+    if (segment("Four", four, CommandId::four_up, widgets, Icon::four)) {
         state.toggle(PaneLayout::four_parts, scene);
         state.options.shadow_classes = false;
     }
 }
 
+/// A word, or its drawing, that opens a menu.
+bool opener(const char* label, const char* name, Icon icon, const char* help, WidgetRegistry& widgets) {
+    if (is_narrow) return icon_button(name, icon, tr(help), false, widgets);
+    const bool pressed = ImGui::Button(fmt::format("{}##{}", tr(label), label).c_str());
+    widgets.note(name);
+    tooltip(help);
+    return pressed;
+}
+
 void scale_menu(ViewState& state, const SolutionSnapshot& solution, WidgetRegistry& widgets) {
-    if (ImGui::Button("Scale")) ImGui::OpenPopup("scale");
-    widgets.note("view.scale");
-    tooltip("Steps of the colour scale, isolux lines, exposure");
+    if (opener("Scale", "view.scale", Icon::fit, "Steps of the colour scale, isolux lines, exposure", widgets))
+        ImGui::OpenPopup("scale");
     if (!ImGui::BeginPopup("scale")) return;
     for (const ColourSteps steps : {ColourSteps::logarithmic, ColourSteps::linear, ColourSteps::standard_steps}) {
         std::string label(name_of(steps));
         if (label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
-        if (ImGui::MenuItem(label.c_str(), nullptr, state.options.steps == steps)) state.options.steps = steps;
+        if (ImGui::MenuItem(tr(label.c_str()), nullptr, state.options.steps == steps)) state.options.steps = steps;
         widgets.note("scale." + std::string(name_of(steps)));
     }
     ImGui::Separator();
-    if (ImGui::MenuItem("Fit to the values", "R", false, solution != nullptr)) {
+    if (ImGui::MenuItem(tr("Fit to the values"), "R", false, solution != nullptr)) {
         state.fit_asked = true;
     }
     widgets.note("scale.fit");
-    ImGui::MenuItem("Isolux lines", "I", &state.options.isolux);
+    ImGui::MenuItem(tr("Isolux lines"), "I", &state.options.isolux);
     widgets.note("scale.isolux");
-    ImGui::MenuItem("Patches", "M", &state.options.mesh_lines);
-    ImGui::MenuItem("Calculation points", "N", &state.options.grids);
-    ImGui::MenuItem("Luminaires", nullptr, &state.options.luminaires);
+    ImGui::MenuItem(tr("Patches"), "M", &state.options.mesh_lines);
+    ImGui::MenuItem(tr("Calculation points"), "N", &state.options.grids);
+    ImGui::MenuItem(tr("Luminaires"), nullptr, &state.options.luminaires);
     ImGui::Separator();
     auto exposure = static_cast<float>(state.options.exposure);
     ImGui::SetNextItemWidth(130.0F * style::scale());
-    if (ImGui::SliderFloat("Exposure", &exposure, -5.0F, 5.0F, "%+.1f stops")) state.options.exposure = exposure;
+    if (ImGui::SliderFloat(tr("Exposure"), &exposure, -5.0F, 5.0F, tr("%+.1f stops")))
+        state.options.exposure = exposure;
     widgets.note("scale.exposure");
     tooltip("Of the photo-like picture, added to the automatic exposure");
     ImGui::EndPopup();
@@ -94,14 +134,15 @@ void scale_menu(ViewState& state, const SolutionSnapshot& solution, WidgetRegist
 void shadows(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
     bool& outlines = state.options.shadow_outlines;
     const bool classes = state.options.shadow_classes && !state.panes.shows_parts();
-    if (segment("Shadows", classes, CommandId::toggle_shadow_classes, widgets)) state.toggle_shadow_classes(scene);
-    if (segment("Outlines", outlines, CommandId::toggle_shadow_outlines, widgets)) outlines = !outlines;
+    if (segment("Shadows", classes, CommandId::toggle_shadow_classes, widgets, Icon::shadows))
+        state.toggle_shadow_classes(scene);
+    if (segment("Outlines", outlines, CommandId::toggle_shadow_outlines, widgets, Icon::section)) outlines = !outlines;
 }
 
 std::optional<ViewEdit> views_menu(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
-    if (ImGui::Button(tr("Views"))) ImGui::OpenPopup("views");
-    widgets.note("view.views");
-    tooltip(tr("Ceiling, section plane, and cameras kept with the project. Ctrl+K keeps the present one"));
+    if (opener("Views", "view.views", Icon::view,
+               "Ceiling, section plane, and cameras kept with the project. Ctrl+K keeps the present one", widgets))
+        ImGui::OpenPopup("views");
     if (!ImGui::BeginPopup("views")) return std::nullopt;
     section_rows(state.camera, bounds_of(scene), widgets);
     ImGui::Separator();
@@ -110,17 +151,29 @@ std::optional<ViewEdit> views_menu(ViewState& state, const Scene& scene, WidgetR
     return edit;
 }
 
+/// Of the whole bar with its words.
+float width_of_words() {
+    const float padding = 2.0F * ImGui::GetStyle().FramePadding.x + 2.0F * style::scale();
+    float width = 3.0F * 12.0F * style::scale();  // the gaps
+    for (const char* word : {"Total", "Direct", "Interreflected", "Unshadowed", "Four", "False colour", "Photo",
+                             "Shadows", "Outlines", "Scale", "Views"})
+        width += ImGui::CalcTextSize(tr(word)).x + padding;
+    return width;
+}
+
 }  // namespace
 
 std::optional<ViewEdit> view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution,
                                  WidgetRegistry& widgets) {
+    is_narrow = ImGui::GetContentRegionAvail().x < width_of_words();
     ImGui::PushStyleColor(ImGuiCol_Button, style::none);
     parts(state, scene, widgets);
     gap();
     const bool photo = state.options.scale == Scale::photo;
     const bool light = state.panes.shows_parts() || !state.options.shadow_classes;
     const auto choose = [&](const char* label, Scale scale, bool on) {
-        if (!segment(label, light && on, CommandId::toggle_photo, widgets)) return;
+        const Icon icon = scale == Scale::photo ? Icon::photo : Icon::false_colours;
+        if (!segment(label, light && on, CommandId::toggle_photo, widgets, icon)) return;
         state.options.scale = scale;
         state.options.shadow_classes = false;
     };

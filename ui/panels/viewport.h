@@ -152,6 +152,7 @@ private:
         Camera camera;
         ViewOptions options;
         PixelSize size;
+        bool thinned = false;  ///< while something was dragged
     } labels_[4];
 };
 

@@ -45,15 +45,26 @@ void Viewport::draw_title(const Pane& pane, const std::string& text) const {
     chip({pane.left + 18.0F * scale, pane.top + 14.0F * scale}, text, style::text);
 }
 
-/// Named at rest only: finding the places takes as long as a picture.
+/// Places are found at rest, which takes as long as a picture; while something is dragged the figures
+/// stay whose lines do.
 void Viewport::draw_isolux_labels(const Input& input, const Pane& pane, int k) {
     const ViewOptions look = options_of(input, k);
-    if (!look.isolux || look.values || look.scale == Scale::photo || !input.solution || moving()) return;
+    if (!look.isolux || look.values || look.scale == Scale::photo || !input.solution) return;
     Labels& kept = labels_[k];
     const PixelSize size{static_cast<int>(pane.width), static_cast<int>(pane.height)};
-    if (kept.solution != input.solution || kept.camera != pane.camera || kept.options != look || kept.size != size) {
-        kept = {isolux_labels(*input.solution, pane.camera, look, size, style::scale()), input.solution, pane.camera,
-                look, size};
+    const bool same_picture = kept.camera == pane.camera && kept.options == look && kept.size == size;
+    if (moving() && !same_picture) return;
+    if (moving() && kept.solution != input.solution) {
+        kept.labels = labels_that_hold(kept.labels, *input.solution, pane.camera, look, size);
+        kept.solution = input.solution;
+        kept.thinned = true;
+    } else if (!moving() && (kept.thinned || kept.solution != input.solution || !same_picture)) {
+        kept = {isolux_labels(*input.solution, pane.camera, look, size, style::scale()),
+                input.solution,
+                pane.camera,
+                look,
+                size,
+                false};
     }
     ImFont* font = style::fonts().small;
     ImDrawList& list = *ImGui::GetWindowDrawList();

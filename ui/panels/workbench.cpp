@@ -4,9 +4,30 @@
 #include "ui/panels/style.h"
 #include "ui/panels/units.h"
 
+#include <algorithm>
+#include <cmath>
 #include <imgui_internal.h>
 
 namespace hanei {
+namespace {
+
+constexpr float centre_width = 400.0F;       // at scale 1: what the view wants at least
+constexpr float least_centre_share = 0.42F;  // of a window too narrow for that
+constexpr float greatest_bottom_share = 0.45F;
+
+/// Side panels give way where the window is narrow for its scale, both by the same share.
+struct SideWidths {
+    float left, right;
+};
+
+SideWidths side_widths(const Preferences& wished, float screen, float scale) {
+    const float centre = std::min(centre_width * scale, least_centre_share * screen);
+    const float sum = (wished.left_width + wished.right_width) * scale;
+    const float share = std::min(1.0F, std::max(0.0F, screen - centre) / sum);
+    return {std::floor(share * wished.left_width * scale), std::floor(share * wished.right_width * scale)};
+}
+
+}  // namespace
 
 Workbench::Workbench(ProjectContent content, std::filesystem::path file, ProjectDoor door, std::function<void()> wake,
                      Options how)
@@ -83,9 +104,11 @@ void Workbench::draw(const ViewPainter& paint) {
     const float top = ImGui::GetFrameHeight();
     const float status = 28.0F * scale;
     const ScreenRect all{0.0F, top, screen.x, screen.y - status};
-    const float left_edge = preferences_.left_width * scale;
-    const float right_edge = all.right - preferences_.right_width * scale;
-    const float bottom_edge = all.bottom - preferences_.bottom_height * scale;
+    const SideWidths sides = side_widths(preferences_, screen.x, scale);
+    const float left_edge = sides.left;
+    const float right_edge = all.right - sides.right;
+    const float tallest = greatest_bottom_share * (all.bottom - all.top);
+    const float bottom_edge = all.bottom - std::min(preferences_.bottom_height * scale, tallest);
     // Fields first: what was typed there is finished by a click elsewhere, before that click counts.
     right({right_edge + 1.0F, all.top, all.right, all.bottom});
     left({all.left, all.top, left_edge, all.bottom});

@@ -53,7 +53,8 @@ public:
 
     void carry_out(CommandId id);
     bool can(CommandId id) const;
-    void ask_to_quit();  ///< as the window's close button does
+    bool is_on(CommandId id) const;  ///< of a command that switches something: it is switched on
+    void ask_to_quit();              ///< as the window's close button does
     bool wants_to_quit() const { return quits_; }
 
     void choose(ObjectId id) { selection_.choose(id); }
@@ -123,6 +124,7 @@ private:
     void nudge(const Vec3& direction);
 
     void menu_bar();
+    void tool_bar(const ScreenRect& area);
     void centre(const ScreenRect& area, const ViewPainter& paint);
     void left(const ScreenRect& area);
     void right(const ScreenRect& area);

@@ -1,3 +1,4 @@
+#include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/workbench.h"
@@ -16,9 +17,9 @@ void Workbench::bottom(const ScreenRect& area) {
         if (begin_tab("Results", widgets_)) {
             const bool any = solution && (!solution->grids.empty() || !solution->points.empty());
             if (!solution)
-                ImGui::TextDisabled("The first values are being computed.");
+                ImGui::TextDisabled("%s", tr("The first values are being computed."));
             else if (!any)
-                ImGui::TextDisabled("No calculation grid or point yet: Add > Calculation grid.");
+                ImGui::TextDisabled("%s", tr("No calculation grid or point yet: Add > Calculation grid."));
             else if (const auto clicked = results_table(*solution, selection_.primary(), widgets_))
                 selection_.choose(*clicked);
             ImGui::EndTabItem();

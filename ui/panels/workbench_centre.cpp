@@ -1,5 +1,6 @@
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/style.h"
+#include "ui/panels/tool_bar.h"
 #include "ui/panels/view_bar.h"
 #include "ui/panels/workbench.h"
 
@@ -16,7 +17,9 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     if (auto edit = view_bar(viewport_.state, *document_.shown(), study_.solution(), widgets_))
         document_.commit(std::move(edit->scene), edit->step);
     end_panel();
-    const ScreenRect view{area.left, area.top + bar, area.right, area.bottom};
+    const float strip = tool_bar_width();
+    tool_bar({area.left, area.top + bar, area.left + strip, area.bottom});
+    const ScreenRect view{area.left + strip, area.top + bar, area.right, area.bottom};
     ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);
     begin_panel("##view", view, false);
     viewport_.right_margin = legend_margin();

@@ -1,5 +1,6 @@
 #include "engine/base/whole_file.h"
 #include "engine/report/report.h"
+#include "ui/panels/language.h"
 #include "ui/panels/workbench.h"
 #include "ui/view/picture_text.h"
 #include "ui/view/screen_picture.h"
@@ -82,8 +83,8 @@ void Workbench::ask_for_values() {
         {"Export the values of grids and points", "Export", {".csv"}, true, folder(), document_.title() + ".csv"},
         [this, solution = study_.answer()](const std::filesystem::path& file) {
             if (const auto reason = write_whole_file(file, values_csv(*solution)))
-                return tell("Export", error_of(file.string() + ": " + *reason));
-            message_ = "Exported " + file.filename().string();
+                 return tell("Export", error_of(file.string() + ": " + *reason));
+             message_ = say("Exported {}", file.filename().string());
         });
 }
 
@@ -143,7 +144,7 @@ void Workbench::save_exact() {
                   [this, picture, text](const std::filesystem::path& file) {
                       try {
                           write_png(*picture, file, text);
-                          message_ = "Saved " + file.filename().string();
+                          message_ = say("Saved {}", file.filename().string());
                       } catch (const std::runtime_error& fault) {
                           tell("Export", error_of(fault.what()));
                       }

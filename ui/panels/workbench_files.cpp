@@ -1,5 +1,6 @@
 #include "engine/edit/edit.h"
 #include "engine/scene/faces.h"
+#include "ui/panels/language.h"
 #include "ui/panels/workbench.h"
 
 namespace hanei {
@@ -38,7 +39,7 @@ void Workbench::load(const std::filesystem::path& file) {
     if (!opened.content) return;
     show(Document(std::move(*opened.content), file));
     keeper_.remember_project(preferences_, file);
-    message_ = "Opened " + file.filename().string();
+    message_ = say("Opened {}", file.filename().string());
 }
 
 void Workbench::save(bool under_new_name, std::function<void()> then) {
@@ -65,8 +66,8 @@ void Workbench::write(const std::filesystem::path& file, const std::function<voi
     if (same_file && stamp_.is_there && now.is_there && now != stamp_) return ask_about_changed_file(then);
     if (const auto fault = door_.save(document_.content(), file)) return ask_where_else(file, *fault, then);
     document_.mark_saved(file);
-    message_ = "Saved " + file.filename().string();
-    if (same_file && stamp_.is_there && !now.is_there) message_ += ", which was gone";
+    message_ = say("Saved {}", file.filename().string());
+    if (same_file && stamp_.is_there && !now.is_there) message_ += tr(", which was gone");
     stamp_ = stamp_of(file);
     keeper_.remember_project(preferences_, file);
     if (then) then();
@@ -74,9 +75,10 @@ void Workbench::write(const std::filesystem::path& file, const std::function<voi
 
 void Workbench::ask_about_changed_file(const std::function<void()>& then) {
     const std::filesystem::path file = document_.file();
-    const std::string text = file.filename().string() +
-                             " was written by another program since it was opened here. Saving would replace what "
-                             "that program wrote.";
+    const std::string text =
+        say("{} was written by another program since it was opened here. Saving would "
+            "replace what that program wrote.",
+            file.filename().string());
     dialogs_.ask_choice("The file has changed", text,
                         {"Replace it by what is shown here", "Save under another name...",
                          "Open what is there, and give up the changes made here"},
@@ -91,8 +93,8 @@ void Workbench::ask_about_changed_file(const std::function<void()>& then) {
 void Workbench::ask_where_else(const std::filesystem::path& file, const Diagnostic& fault,
                                const std::function<void()>& then) {
     messages_.note("File", fault);
-    message_ = file.filename().string() + " was not saved";
-    dialogs_.ask_choice("The project was not saved", to_text(fault) + ".\nWhat was there before is as it was.",
+    message_ = say("{} was not saved", file.filename().string());
+    dialogs_.ask_choice("The project was not saved", to_text(fault) + ".\n" + tr("What was there before is as it was."),
                         {"Save under another name...", "Try again"}, [this, file, then](std::size_t k) {
                             if (k == 0) return save(true, then);
                             write(file, then);

@@ -1,6 +1,7 @@
 #include "engine/edit/hanging.h"
 #include "engine/scene/colour.h"
 #include "ui/panels/hanging.h"
+#include "ui/panels/language.h"
 #include "ui/panels/workbench.h"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ void Workbench::replace_luminaire_file() {
 /// view while one is chosen, they may take the place of its light.
 void Workbench::drop(const std::vector<std::filesystem::path>& files) {
     if (is_asking() || viewport_.dragging()) {
-        message_ = "Nothing was dropped: finish what is open first";
+        message_ = tr("Nothing was dropped: finish what is open first");
         return;
     }
     document_.settle();
@@ -68,8 +69,9 @@ void Workbench::drop(const std::vector<std::filesystem::path>& files) {
     instead.replaced = selection_.primary();
     if (beside_view || ImGui::GetIO().KeyShift) return receive(std::move(instead));
     const std::string name = display_name(*scene, selection_.primary());
-    dialogs_.ask_choice("Dropped on a luminaire", files.front().filename().string() + " was dropped on " + name + ".",
-                        {"Give its light to " + name, "Hang a luminaire of it here"},
+    dialogs_.ask_choice(tr("Dropped on a luminaire"),
+                        say("{} was dropped on {}.", files.front().filename().string(), name),
+                        {say("Give its light to {}", name), tr("Hang a luminaire of it here")},
                         [this, arrival, instead](std::size_t k) { receive(k == 0 ? instead : arrival); });
 }
 
@@ -98,8 +100,8 @@ void Workbench::read_next() {
 void Workbench::ask_which(const std::filesystem::path& file, std::vector<Photometry> found) {
     std::vector<std::string> entries;
     for (const Photometry& photometry : found) entries.push_back(name_of_light(photometry));
-    if (!arrival_.replaced) entries.push_back(fmt::format("All {}", found.size()));
-    const std::string text = fmt::format("{} holds {} luminaires.", file.filename().string(), found.size());
+    if (!arrival_.replaced) entries.push_back(say("All {}", found.size()));
+    const std::string text = say("{} holds {} luminaires.", file.filename().string(), found.size());
     const auto take = [this, found = std::move(found)](std::size_t k) {
         if (k < found.size())
             arrival_.read.push_back(found[k]);
@@ -107,19 +109,19 @@ void Workbench::ask_which(const std::filesystem::path& file, std::vector<Photome
             arrival_.read.insert(arrival_.read.end(), found.begin(), found.end());
         read_next();
     };
-    dialogs_.ask_choice("Which luminaire?", text, std::move(entries), take);
+    dialogs_.ask_choice(tr("Which luminaire?"), text, std::move(entries), take);
 }
 
 void Workbench::finish_arrival() {
     Arrival arrival = std::exchange(arrival_, {});
     if (!arrival.faults.empty()) {
         messages_.note("Luminaire file", arrival.faults);
-        message_ =
-            arrival.faults.front().place.file.empty()
-                ? "A file cannot be used"
-                : std::filesystem::path(arrival.faults.front().place.file).filename().string() + " cannot be used";
+        message_ = arrival.faults.front().place.file.empty()
+                       ? tr("A file cannot be used")
+                       : say("{} cannot be used",
+                             std::filesystem::path(arrival.faults.front().place.file).filename().string());
         dialogs_.show_findings(
-            arrival.read.empty() ? "This luminaire file cannot be used" : "Not everything could be used",
+            tr(arrival.read.empty() ? "This luminaire file cannot be used" : "Not everything could be used"),
             std::move(arrival.faults));
     }
     if (arrival.read.empty()) return;
@@ -132,15 +134,15 @@ void Workbench::finish_arrival() {
         document_.commit(with_other_file(*document_.shown(), arrival.replaced, std::move(arrival.read.front()),
                                          photometry_.reaches_all()),
                          "Use another luminaire file");
-        message_ = display_name(*document_.shown(), arrival.replaced) + " shines as " + light;
+        message_ = say("{} shines as {}", display_name(*document_.shown(), arrival.replaced), light);
     } else {
         add(with_measured_luminaires(*document_.shown(), std::move(arrival.read), arrival.place),
             count == 1 ? "Add luminaire from file" : "Add luminaires from files");
-        message_ = count == 1 ? "Hung " + light : fmt::format("Hung {} luminaires", count);
+        message_ = count == 1 ? say("Hung {}", light) : say("Hung {} luminaires", count);
         if (arrival.then) arrival.then(selection_.primary());
     }
-    if (kelvin && count == 1) message_ += fmt::format(" · {:g} K as its file states", *kelvin);
-    if (remarks > 0) message_ += fmt::format(" · {} remark{} on its file", remarks, remarks == 1 ? "" : "s");
+    if (kelvin && count == 1) message_ += say(" · {:g} K as its file states", *kelvin);
+    if (remarks > 0) message_ += say(remarks == 1 ? " · {} remark on its file" : " · {} remarks on its file", remarks);
 }
 
 }  // namespace hanei

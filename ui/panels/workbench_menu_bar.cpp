@@ -1,11 +1,71 @@
+#include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/style.h"
 #include "ui/panels/workbench.h"
 
+#include <cmath>
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 namespace hanei {
+namespace {
+
+/// With the command's drawing before its words; the words of all stand below each other.
+bool menu_item(const std::string& label, const Command& entry, bool ticked, bool can) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float size = icon_size();
+    const std::string blank(static_cast<std::size_t>(std::ceil(1.5F * size / ImGui::CalcTextSize(" ").x)), ' ');
+    const bool wished = ImGui::MenuItemEx((label + "###" + std::string(entry.name)).c_str(), blank.c_str(),
+                                          to_text(entry.chord).c_str(), ticked, can);
+    const float below = 0.5F * (ImGui::GetTextLineHeight() - size);
+    draw_icon(*ImGui::GetWindowDrawList(), icon_of(entry.name), {at.x, at.y + below}, size,
+              style::faded(style::quiet_text, can ? 1.0F : 0.5F));
+    return wished;
+}
+
+}  // namespace
+
+bool Workbench::is_on(CommandId id) const {
+    const ViewState& view = viewport_.state;
+    switch (id) {
+        case CommandId::toggle_snap:
+            return snaps_;
+        case CommandId::four_up:
+            return view.panes.shows_parts();
+        case CommandId::split_view:
+            return view.panes.layout() == PaneLayout::split;
+        case CommandId::four_views:
+            return view.panes.layout() == PaneLayout::four;
+        case CommandId::toggle_ceiling:
+            return view.camera.left_out.ceiling;
+        case CommandId::toggle_section_plane:
+            return view.camera.left_out.cut.has_value();
+        case CommandId::toggle_orthographic:
+            return view.camera.orthographic;
+        case CommandId::toggle_shadow_classes:
+            return view.options.shadow_classes;
+        case CommandId::toggle_shadow_outlines:
+            return view.options.shadow_outlines;
+        case CommandId::show_a:
+            return readings_.snapshots.show == Snapshots::Show::a;
+        case CommandId::show_difference:
+            return readings_.snapshots.show == Snapshots::Show::difference;
+        case CommandId::toggle_values:
+            return view.options.values;
+        case CommandId::toggle_recording:
+            return recording_.is_on();
+        case CommandId::toggle_isolux:
+            return view.options.isolux;
+        case CommandId::switch_theme:
+            return preferences_.theme == Theme::light;
+        case CommandId::switch_language:
+            return preferences_.language == Language::japanese;
+        case CommandId::toggle_photo:
+            return view.options.scale == Scale::photo;
+        default:
+            return false;
+    }
+}
 
 void Workbench::menu_bar() {
     if (!ImGui::BeginMainMenuBar()) return;
@@ -23,28 +83,9 @@ void Workbench::menu_bar() {
         if (entry.starts_section) ImGui::Separator();
         std::string label(tr(entry.label));
         style::needs(label);
-        if (entry.id == CommandId::undo && can(entry.id)) label += " " + document_.history().undo_name();
-        if (entry.id == CommandId::redo && can(entry.id)) label += " " + document_.history().redo_name();
-        const bool ticked =
-            (entry.id == CommandId::toggle_snap && snaps_) ||
-            (entry.id == CommandId::four_up && viewport_.state.panes.shows_parts()) ||
-            (entry.id == CommandId::split_view && viewport_.state.panes.layout() == PaneLayout::split) ||
-            (entry.id == CommandId::four_views && viewport_.state.panes.layout() == PaneLayout::four) ||
-            (entry.id == CommandId::toggle_ceiling && viewport_.state.camera.left_out.ceiling) ||
-            (entry.id == CommandId::toggle_section_plane && viewport_.state.camera.left_out.cut) ||
-            (entry.id == CommandId::toggle_orthographic && viewport_.state.camera.orthographic) ||
-            (entry.id == CommandId::toggle_shadow_classes && viewport_.state.options.shadow_classes) ||
-            (entry.id == CommandId::toggle_shadow_outlines && viewport_.state.options.shadow_outlines) ||
-            (entry.id == CommandId::show_a && readings_.snapshots.show == Snapshots::Show::a) ||
-            (entry.id == CommandId::show_difference && readings_.snapshots.show == Snapshots::Show::difference) ||
-            (entry.id == CommandId::toggle_values && viewport_.state.options.values) ||
-            (entry.id == CommandId::toggle_recording && recording_.is_on()) ||
-            (entry.id == CommandId::toggle_isolux && viewport_.state.options.isolux) ||
-            (entry.id == CommandId::switch_theme && preferences_.theme == Theme::light) ||
-            (entry.id == CommandId::switch_language && preferences_.language == Language::japanese) ||
-            (entry.id == CommandId::toggle_photo && viewport_.state.options.scale == Scale::photo);
-        const bool wished = ImGui::MenuItem((label + "###" + std::string(entry.name)).c_str(),
-                                            to_text(entry.chord).c_str(), ticked, can(entry.id));
+        if (entry.id == CommandId::undo && can(entry.id)) label += ": " + phrase(document_.history().undo_name());
+        if (entry.id == CommandId::redo && can(entry.id)) label += ": " + phrase(document_.history().redo_name());
+        const bool wished = menu_item(label, entry, is_on(entry.id), can(entry.id));
         widgets_.note(std::string(entry.name));
         tooltip(std::string(entry.help));
         if (wished) carry_out(entry.id);

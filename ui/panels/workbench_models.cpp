@@ -1,5 +1,6 @@
 #include "engine/edit/join.h"
 #include "ui/panels/hanging.h"
+#include "ui/panels/language.h"
 #include "ui/panels/workbench.h"
 
 #include <fmt/format.h>
@@ -52,8 +53,8 @@ void Workbench::take_model(ModelImport::Taken taken) {
         readings_.scale.forget();
     }
     const std::size_t remarks = taken.findings.size();
-    message_ = "Imported " + name;
-    if (remarks > 0) message_ += fmt::format(" · {} remark{} on its file", remarks, remarks == 1 ? "" : "s");
+    message_ = say("Imported {}", name);
+    if (remarks > 0) message_ += say(remarks == 1 ? " · {} remark on its file" : " · {} remarks on its file", remarks);
 }
 
 void Workbench::export_model() {
@@ -64,7 +65,7 @@ void Workbench::export_model() {
                       if (const auto fault = door_.export_model(*solution, viewport_.state.options, file))
                           dialogs_.show_findings("The model was not written", {*fault});
                       else
-                          message_ = "Exported " + file.filename().string();
+                          message_ = say("Exported {}", file.filename().string());
                   });
 }
 

@@ -1,4 +1,5 @@
 #include "engine/report/profile_report.h"
+#include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/workbench.h"
 
@@ -68,10 +69,10 @@ void Workbench::profile_tab() {
                       stream << csv;
                       stream.close();
                       if (stream)
-                          message_ = "Exported " + file.filename().string();
+                          message_ = say("Exported {}", file.filename().string());
                       else
                           dialogs_.show_findings("The profile was not written",
-                                                 {{Severity::error, {}, file.string() + ": cannot be written"}});
+                                                 {{Severity::error, {}, say("{} cannot be written", file.string())}});
                   });
 }
 

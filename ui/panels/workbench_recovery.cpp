@@ -1,4 +1,5 @@
 #include "engine/edit/edit.h"
+#include "ui/panels/language.h"
 #include "ui/panels/scene_difference.h"
 #include "ui/panels/workbench.h"
 
@@ -40,7 +41,7 @@ void Workbench::recover(const LostWork& work) {
     document_.commit(std::move(kept.content->scene), "Recover unsaved work");
     document_.set_settings(kept.content->settings);
     autosave_.take_over(work);
-    message_ = "Recovered unsaved work of " + document_.title();
+    message_ = say("Recovered unsaved work of {}", document_.title());
 }
 
 void Workbench::follow_recovery() {

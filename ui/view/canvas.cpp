@@ -1,10 +1,13 @@
 #include "ui/view/canvas.h"
 
 #include "engine/base/check.h"
+#include "ui/view/japanese_fonts.h"
 
 #include <algorithm>
 #include <cstring>
 #include <numbers>
+#include <string_view>
+#include <vector>
 
 namespace hanei {
 namespace {
@@ -24,6 +27,25 @@ std::uint32_t read_pixel(const unsigned char* row, int x) {
 std::uint8_t unmultiplied(std::uint32_t value, std::uint32_t alpha) {
     if (alpha == 0) return 0;
     return static_cast<std::uint8_t>(std::min<std::uint32_t>(255, (value * 255 + alpha / 2) / alpha));
+}
+
+/// A stretch of a text for which one font has the letters.
+struct TextPart {
+    std::string text;
+    bool eastern = false;
+};
+
+std::vector<TextPart> parts_of(std::string_view text) {
+    if (japanese_font() == nullptr) return {{std::string(text), false}};
+    std::vector<TextPart> parts;
+    while (!text.empty()) {
+        const Letter letter = first_letter(text);
+        const bool eastern = is_eastern(letter.code);
+        if (parts.empty() || parts.back().eastern != eastern) parts.push_back({"", eastern});
+        parts.back().text += text.substr(0, letter.bytes);
+        text.remove_prefix(letter.bytes);
+    }
+    return parts;
 }
 
 }  // namespace
@@ -98,17 +120,21 @@ void Canvas::picture(const Image& image, int x, int y) {
     colour(cairo_.get(), glm::vec3(0.0F), 1.0);  // the sheet may go before this canvas
 }
 
-void Canvas::choose(const TextStyle& style) {
-    cairo_select_font_face(cairo_.get(), "Inter", CAIRO_FONT_SLANT_NORMAL,
+void Canvas::choose(const TextStyle& style, bool eastern) {
+    cairo_select_font_face(cairo_.get(), eastern ? japanese_font()->name : "Inter", CAIRO_FONT_SLANT_NORMAL,
                            style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo_.get(), style.size);
 }
 
 double Canvas::width_of(const std::string& text, const TextStyle& style) {
-    choose(style);
-    cairo_text_extents_t extents;
-    cairo_text_extents(cairo_.get(), text.c_str(), &extents);
-    return extents.x_advance;
+    double width = 0.0;
+    for (const auto& [part, eastern] : parts_of(text)) {
+        choose(style, eastern);
+        cairo_text_extents_t extents;
+        cairo_text_extents(cairo_.get(), part.c_str(), &extents);
+        width += extents.x_advance;
+    }
+    return width;
 }
 
 void Canvas::text(double x, double y, const std::string& text, const TextStyle& style, Align align) {
@@ -116,7 +142,10 @@ void Canvas::text(double x, double y, const std::string& text, const TextStyle& 
     const double start = align == Align::left ? x : align == Align::centre ? x - 0.5 * width : x - width;
     cairo_t* cairo = cairo_.get();
     cairo_move_to(cairo, start, y);
-    cairo_text_path(cairo, text.c_str());
+    for (const auto& [part, eastern] : parts_of(text)) {
+        choose(style, eastern);
+        cairo_text_path(cairo, part.c_str());
+    }
     if (style.halo > 0.0) {
         colour(cairo, glm::vec3(1.0F), 0.85);
         cairo_set_line_width(cairo, 2.0 * style.halo);

@@ -21,7 +21,8 @@ struct TextStyle {
 
 enum class Align { left, centre, right };
 
-/// Lettered in Inter where it is installed, else in the system's sans serif; grey antialiasing and
+/// Lettered in Inter where it is installed, else in the system's sans serif, Japanese in the font of
+/// japanese_fonts.h; grey antialiasing and
 /// no hinting, so that a picture has the same bytes on every run.
 class Canvas {
 public:
@@ -44,7 +45,7 @@ public:
     Image image() const;
 
 private:
-    void choose(const TextStyle& style);
+    void choose(const TextStyle& style, bool eastern);
     PixelSize size_;
     std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface_;
     std::unique_ptr<cairo_t, void (*)(cairo_t*)> cairo_;

@@ -1,4 +1,5 @@
 #include "ui/view/isolux_labels.h"
+#include "ui/view/language.h"
 #include "ui/view/legend.h"
 
 #include <algorithm>
@@ -28,10 +29,10 @@ bool reports_points(const Solution& solution) {
 }
 
 std::string error_text(const Solution& solution) {
-    std::string text = fmt::format("iteration ≤ {}", lux(solution.iteration_bound));
-    if (reports_points(solution)) text += fmt::format(", points ± {} at most", lux(greatest_error(solution).total()));
+    std::string text = say("iteration ≤ {}", lux(solution.iteration_bound));
+    if (reports_points(solution)) text += say(", points ± {} at most", lux(greatest_error(solution).total()));
     const double skipped = solution.plan.effects.empty() ? 0.0 : solution.plan.skipped_bound_lux();
-    if (skipped > 0.0) text += fmt::format(", left out ≤ {}", lux(skipped));
+    if (skipped > 0.0) text += say(", left out ≤ {}", lux(skipped));
     return text;
 }
 
@@ -40,13 +41,13 @@ std::string error_text(const Solution& solution) {
 std::string heading_of(LightPart part) {
     switch (part) {
         case LightPart::total:
-            return "Total illuminance";
+            return tr("Total illuminance");
         case LightPart::direct:
-            return "Direct light only";
+            return tr("Direct light only");
         case LightPart::interreflected:
-            return "Interreflected light only";
+            return tr("Interreflected light only");
         case LightPart::unshadowed:
-            return "Total without shadows";
+            return tr("Total without shadows");
     }
     return "";
 }
@@ -55,20 +56,19 @@ Caption caption_of(const Solution& solution, const ViewOptions& look) {
     Caption caption;
     const std::string title = solution.scene != nullptr ? solution.scene->title : std::string();
     const std::string kind = look.shadow_classes
-                                 ? "Shadow classes, " + shadows_of_text(*solution.scene, look.shadows_of)
-                             : look.scale == Scale::photo ? "photo view, " + std::string(name_of(look.part))
+                                 ? say("Shadow classes, {}", shadows_of_text(*solution.scene, look.shadows_of))
+                             : look.scale == Scale::photo ? say("photo view, {}", tr(name_of(look.part)))
                                                           : heading_of(look.part);
     caption.title = title.empty() ? kind : title + " – " + kind;
     if (look.shadow_outlines && !look.shadow_classes)
-        caption.title += ", shadows of " + shadows_of_text(*solution.scene, look.shadows_of);
+        caption.title += say(", shadows of {}", shadows_of_text(*solution.scene, look.shadows_of));
     const std::size_t patches = solution.mesh != nullptr ? solution.mesh->patches.size() : 0;
-    caption.detail = fmt::format("Method {}, {} patches of {:.3g} m at most, {} interreflections{}. Error: {}.",
-                                 name_of(solution.settings.method), patches, solution.settings.max_patch,
-                                 solution.bounces, solution.complete ? "" : " so far", error_text(solution));
+    caption.detail = say("Method {}, {} patches of {:.3g} m at most, {} interreflections{}. Error: {}.",
+                         name_of(solution.settings.method), patches, solution.settings.max_patch, solution.bounces,
+                         solution.complete ? "" : tr(" so far"), error_text(solution));
     if (look.shadow_classes)
-        caption.detail =
-            fmt::format("{} patches of {:.3g} m at most. Lit, umbra and away are proved; partly lit is the rest.",
-                        patches, solution.settings.max_patch);
+        caption.detail = say("{} patches of {:.3g} m at most. Lit, umbra and away are proved; partly lit is the rest.",
+                             patches, solution.settings.max_patch);
     if (look.shadow_outlines) caption.detail = std::string(outline_text()) + ". " + caption.detail;
     return caption;
 }

@@ -1,6 +1,7 @@
 #include "engine/scene/faces.h"
 #include "ui/view/canvas.h"
 #include "ui/view/class_colours.h"
+#include "ui/view/language.h"
 #include "ui/view/legend.h"
 
 #include <algorithm>
@@ -48,8 +49,8 @@ void draw_line_key(Canvas& canvas, double y, double scale) {
     canvas.line(x, y, end, y, ink, 1.0, 2.0 * scale);
     for (double at = x; at < end; at += 9.0 * scale)
         canvas.line(at, y + 20.0 * scale, std::min(end, at + 5.4 * scale), y + 20.0 * scale, ink, 1.0, 1.5 * scale);
-    canvas.text(end + 8.0 * scale, y + 4.0 * scale, "umbra", name_style(scale));
-    canvas.text(end + 8.0 * scale, y + 24.0 * scale, "penumbra", name_style(scale));
+    canvas.text(end + 8.0 * scale, y + 4.0 * scale, tr("umbra"), name_style(scale));
+    canvas.text(end + 8.0 * scale, y + 24.0 * scale, tr("penumbra"), name_style(scale));
 }
 
 }  // namespace
@@ -57,34 +58,34 @@ void draw_line_key(Canvas& canvas, double y, double scale) {
 std::string shadows_of_text(const Scene& scene, ObjectId luminaire) {
     for (std::size_t k = 0; k < scene.luminaires.size(); ++k) {
         const Luminaire& each = scene.luminaires[k];
-        if (each.id == luminaire) return each.name.empty() ? fmt::format("luminaire {}", k + 1) : each.name;
+        if (each.id == luminaire) return each.name.empty() ? say("luminaire {}", k + 1) : each.name;
     }
-    return scene.luminaires.size() == 1 ? "one luminaire" : "all luminaires";
+    return tr(scene.luminaires.size() == 1 ? "one luminaire" : "all luminaires");
 }
 
 std::string_view outline_text() {
-    return "Solid: umbra of single bodies, where several together can hide more. Dashed: penumbra";
+    return tr("Solid: umbra of single bodies, where several together can hide more. Dashed: penumbra");
 }
 
 std::vector<ClassRow> class_rows(const Solution* solution, const ViewOptions& look) {
-    std::vector<ClassRow> rows{{LightClass::lit, "Lit", {}},
-                               {LightClass::partly, "Partly lit", {}},
-                               {LightClass::umbra, "In umbra", {}},
-                               {LightClass::away, "Faces away", {}}};
+    std::vector<ClassRow> rows{{LightClass::lit, tr("Lit"), {}},
+                               {LightClass::partly, tr("Partly lit"), {}},
+                               {LightClass::umbra, tr("In umbra"), {}},
+                               {LightClass::away, tr("Faces away"), {}}};
     if (solution == nullptr || solution->shadows == nullptr) return rows;
     const Mesh& mesh = *solution->mesh;
     const auto shares = class_shares(mesh, patch_classes(*solution->shadows, look.shadows_of, mesh.patches.size()));
     for (ClassRow& row : rows) {
         const ClassShare& share = shares[static_cast<std::size_t>(row.kind)];
-        row.counts = fmt::format("{} {}, {:.{}f} m²", share.patches, share.patches == 1 ? "patch" : "patches",
-                                 share.area, share.area < 9.95 ? 1 : 0);
+        row.counts = say(share.patches == 1 ? "{} patch, {:.{}f} m²" : "{} patches, {:.{}f} m²", share.patches,
+                         share.area, share.area < 9.95 ? 1 : 0);
     }
     return rows;
 }
 
 int class_legend_width(double scale) {
     Canvas measure({1, 1});
-    const double wide = std::max(measure.width_of("Shadow classes", head_style(scale)),
+    const double wide = std::max(measure.width_of(tr("Shadow classes"), head_style(scale)),
                                  swatch * scale + 8.0 * scale + measure.width_of("00000 patches", small_style(scale)));
     return static_cast<int>(std::ceil(wide + 2.0 * margin * scale));
 }
@@ -94,7 +95,7 @@ Image class_legend_image(const Solution& solution, const ViewOptions& look, int 
     Canvas canvas({width, height_px});
     canvas.rounded(0.0, 0.0, width, height_px, 7.0 * scale, card, 0.94);
     const double left = margin * scale, room = width - 2.0 * left;
-    canvas.text(left, 24.0 * scale, "Shadow classes", head_style(scale));
+    canvas.text(left, 24.0 * scale, tr("Shadow classes"), head_style(scale));
     const TextStyle quiet = small_style(scale);
     canvas.text(left, 41.0 * scale, canvas.fitted(shadows_of_text(*solution.scene, look.shadows_of), quiet, room),
                 quiet);

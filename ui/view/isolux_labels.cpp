@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace hanei {
 namespace {
 
 constexpr int buffer_height = 300;       // rows: a line of text is 4 to 5 of them in a picture of 800
+constexpr int coarse_height = 90;        // rows: where a line runs, not where its figure fits
 constexpr double text_height = 13.0;     // pixels at scale 1
 constexpr double digit_width = 7.0;      // pixels at scale 1, figures of 12 pixels
 constexpr double text_margin = 5.0;      // pixels kept free around
@@ -155,6 +157,32 @@ std::string lux_text(double lux) {
 }
 
 std::string lux_text(double lux, IlluminanceUnit unit) { return lux_text(lux / lux_in(unit)); }
+
+std::vector<IsoluxLabel> labels_that_hold(const std::vector<IsoluxLabel>& labels, const Solution& solution,
+                                          const Camera& camera, const ViewOptions& look, PixelSize size) {
+    std::vector<IsoluxLabel> holding;
+    if (labels.empty() || solution.display == nullptr || size.width < 2 || size.height < 2) return holding;
+    const PixelSize small{std::max(3, size.width * coarse_height / size.height), coarse_height};
+    const ValueBuffer buffer = value_buffer(solution, camera, look, small);
+    const auto runs_by = [&](const IsoluxLabel& label) {
+        const int x = std::clamp(static_cast<int>(label.at.x * small.width), 1, small.width - 2);
+        const int y = std::clamp(static_cast<int>(label.at.y * small.height), 1, small.height - 2);
+        const int face = buffer.face[buffer.at(x, y)];
+        bool above = false, below = false;
+        for (int v = y - 1; v <= y + 1; ++v) {
+            for (int u = x - 1; u <= x + 1; ++u) {
+                const std::size_t pixel = buffer.at(u, v);
+                if (buffer.face[pixel] != face || face < 0) continue;
+                const bool more = static_cast<double>(buffer.lux[pixel]) >= label.lux;
+                above |= more;
+                below |= !more;
+            }
+        }
+        return above && below;
+    };
+    std::copy_if(labels.begin(), labels.end(), std::back_inserter(holding), runs_by);
+    return holding;
+}
 
 std::vector<IsoluxLabel> isolux_labels(const Solution& solution, const Camera& camera, const ViewOptions& look,
                                        PixelSize size, double scale) {

@@ -3,6 +3,7 @@
 #include "ui/view/canvas.h"
 #include "ui/view/colour_scale.h"
 #include "ui/view/isolux_labels.h"
+#include "ui/view/language.h"
 #include "ui/view/value_labels.h"
 
 #include <algorithm>
@@ -30,13 +31,15 @@ TextStyle head_style(double scale) { return {13.0 * scale, true, ink, 0.0}; }
 TextStyle part_style(double scale) { return {11.5 * scale, false, pale_ink, 0.0}; }
 TextStyle tick_style(double scale) { return {12.0 * scale, false, ink, 0.0}; }
 
-std::string quantity_text(const ViewOptions& look) { return look.difference ? "Difference B − A" : "Illuminance E"; }
+std::string quantity_text(const ViewOptions& look) {
+    return tr(look.difference ? "Difference B − A" : "Illuminance E");
+}
 std::string part_text(std::string_view part, IlluminanceUnit unit) {
-    return std::string(part) + ", " + std::string(name_of(unit));
+    return fmt::format("{}, {}", tr(part), name_of(unit));
 }
 
 std::string foot_text(const ViewOptions& look) {
-    return look.difference ? "grey: nothing there" : std::string(name_of(look.steps));
+    return std::string(look.difference ? tr("grey: nothing there") : tr(name_of(look.steps)));
 }
 
 /// Figures to name: both ends, and of the steps between those that leave each other room, round
@@ -118,7 +121,7 @@ int legend_width(const ViewOptions& look, double scale) {
     double wide = std::max(
         measure.width_of(quantity_text(look), head_style(scale)),
         measure.width_of(part_text(name_of(LightPart::interreflected), IlluminanceUnit::lux), part_style(scale)));
-    wide = std::max(wide, measure.width_of(std::string(name_of(ColourSteps::standard_steps)), part_style(scale)));
+    wide = std::max(wide, measure.width_of(std::string(tr(name_of(ColourSteps::standard_steps))), part_style(scale)));
     return static_cast<int>(std::ceil(wide + 2.0 * layout.margin * scale));
 }
 

@@ -1,5 +1,6 @@
 #include "ui/window/desk.h"
 
+#include "ui/panels/scene_letters.h"
 #include "ui/panels/style.h"
 
 #include <algorithm>
@@ -47,10 +48,15 @@ void Desk::frame(PixelSize size, float seconds) {
         ImGui_ImplOpenGL3_CreateFontsTexture();
     }
     input_.feed(io);
+    for (const ImWchar typed : io.InputQueueCharacters) style::needs(typed);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     if (auto files = input_.take_dropped(); !files.empty()) workbench_->drop(std::move(files));
     workbench_->draw([this](const ViewRequest& request) { return textures_->paint(request); });
+    if (const SceneSnapshot& scene = workbench_->document().shown(); scene != lettered_)
+        need_letters_of(*(lettered_ = scene));
+    style::needs(workbench_->title());
+    style::needs(workbench_->message());
     ImGui::Render();
     glViewport(0, 0, size.width, size.height);
     glDisable(GL_SCISSOR_TEST);

@@ -42,6 +42,7 @@ public:
 private:
     ImGuiContext* context_;
     float screen_scale_;
+    SceneSnapshot lettered_;  ///< whose texts have their letters
     InputQueue input_;
     std::unique_ptr<ViewTextures> textures_;
     std::unique_ptr<Workbench> workbench_;

@@ -52,7 +52,7 @@ WindowHandle open_window(PixelSize size, const std::string& title) {
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "hanei");
     WindowHandle window(glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr));
     if (!window) throw std::runtime_error("No window with OpenGL 3.3: " + last_fault());
-    glfwSetWindowSizeLimits(window.get(), 1080, 600, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window.get(), 800, 600, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window.get());
     if (gladLoadGL(glfwGetProcAddress) == 0) throw std::runtime_error("OpenGL's functions cannot be loaded.");
     glfwSwapInterval(0);  // the loop keeps the pace; waiting for a screen would delay input
@@ -163,7 +163,10 @@ void run_window(WindowRequest request) {
     const Library library;
     const WindowHandle window = open_window(request.size, "Hanei");
     float scale = 1.0F;
-    glfwGetWindowContentScale(window.get(), &scale, nullptr);
+    if (request.scale > 0.0F)
+        scale = request.scale;
+    else
+        glfwGetWindowContentScale(window.get(), &scale, nullptr);
     Desk desk({std::move(request.content), request.file, std::move(request.door), [] { glfwPostEmptyEvent(); }, scale,
                false});
     Reach reach{desk};

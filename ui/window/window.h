@@ -14,6 +14,7 @@ struct WindowRequest {
     ProjectDoor door;
     PixelSize size{1280, 800};
     std::optional<std::filesystem::path> state_file;  ///< the window's state as JSON, after every frame
+    float scale = 0.0F;                               ///< of letters and controls; 0: as the screen says
 };
 
 /// Opens the window and returns when it is closed. Draws only when something happened: an idle

@@ -122,6 +122,24 @@ TEST(IsoluxLabels, lie_on_their_lines_and_never_over_each_other) {
     }
 }
 
+TEST(IsoluxLabels, stay_while_their_lines_do_and_go_when_those_go) {
+    const auto solution = solution_by_hand(furnished_room(), test::pleasant_light);
+    const PixelSize size{1200, 800};
+    const Camera camera = overview(bounds_of(*solution->scene), size.aspect());
+    ViewOptions view;
+    view.range = suggested_range(*solution);
+    const std::vector<IsoluxLabel> labels = isolux_labels(*solution, camera, view, size);
+    EXPECT_EQ(labels_that_hold(labels, *solution, camera, view, size).size(), labels.size());
+    const auto brighter = solution_by_hand(furnished_room(), [](const Vec3& place, const Vec3& normal) {
+        test::Light light = test::pleasant_light(place, normal);
+        light.direct *= 1.3;
+        light.interreflected *= 1.3;
+        return light;
+    });
+    EXPECT_LT(labels_that_hold(labels, *brighter, camera, view, size).size(), labels.size() / 3);
+    EXPECT_TRUE(labels_that_hold(labels, Solution{}, camera, view, size).empty());
+}
+
 TEST(IsoluxLabels, are_absent_without_lines_in_photos_and_without_values) {
     const auto solution = solution_by_hand(furnished_room(), test::pleasant_light);
     const PixelSize size{600, 400};
