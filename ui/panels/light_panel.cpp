@@ -77,12 +77,20 @@ LightPanel::Outcome LightPanel::soloed(const Scene& scene, const ControlGroup& g
 void LightPanel::dimmer(const Scene& scene, const ControlGroup& group, WidgetRegistry& widgets, Outcome& outcome) {
     double percent = 100.0 * group.dimming;
     constexpr double off = 0.0, full = 100.0;
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    const std::string name = "light.dimmer." + group.name;
-    const bool moved = ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &percent, &off, &full,
-                                           "%.0f %%", ImGuiSliderFlags_AlwaysClamp);
+    const float figure = 58.0F * style::scale();
+    ImGui::SetNextItemWidth(
+        std::max(40.0F * style::scale(), ImGui::GetContentRegionAvail().x - figure - ImGui::GetStyle().ItemSpacing.x));
+    const std::string name = "light.dimmer." + group.name, level = "light.level." + group.name;
+    bool moved = ImGui::SliderScalar(("##" + name).c_str(), ImGuiDataType_Double, &percent, &off, &full, "",
+                                     ImGuiSliderFlags_AlwaysClamp);
     widgets.note(name);
-    tooltip("Dimmer of the group; Ctrl+click to type");
+    tooltip("Dimmer of the group: drag it, all light follows");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    moved |= ImGui::DragScalar(("##" + level).c_str(), ImGuiDataType_Double, &percent, 0.5F, &off, &full, "%.0f %%",
+                               ImGuiSliderFlags_AlwaysClamp);
+    widgets.note(level);
+    tooltip("Dimmer of the group: drag it, or double-click to type");
     if (!moved || !std::isfinite(percent)) return;
     outcome = {dimmed(scene, group.id, percent / 100.0), "Dim " + group.name, false, {}};
 }
