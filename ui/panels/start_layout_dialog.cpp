@@ -93,7 +93,7 @@ bool StartLayoutDialog::rows(const Scene& scene, Form& form) {
                      "What the working plane leaves out along the walls (EN 12464-1: 0.5 m)", 0.0, 100.0, 0.01, 2},
                     wish_.border);
     bool by_hand = wish_.columns.has_value();
-    if (form.toggle("layout.by_hand", "Number", "Columns and rows by hand instead of as many as it needs", by_hand)) {
+    if (form.toggle("layout.by_hand", "By hand", "Columns and rows by hand instead of as many as it needs", by_hand)) {
         wish_.columns = by_hand ? std::optional(std::max(1, answer_.columns)) : std::nullopt;
         wish_.rows = by_hand ? std::optional(std::max(1, answer_.rows)) : std::nullopt;
         changed = true;
