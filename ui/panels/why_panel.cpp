@@ -58,10 +58,11 @@ void WhyPanel::take(std::shared_ptr<const Contributions> made) {
 }
 
 void WhyPanel::follow(const Scene& scene, ObjectId chosen, LiveStudy& study) {
-    place_ = asked_;
+    // a chosen point stays the place while what lights it is chosen in the table
     for (const CalculationPoint& point : scene.points)
         if (point.id == chosen)
-            place_ = Place{point.position, glm::normalize(point.normal), display_name(scene, point.id)};
+            asked_ = Place{point.position, glm::normalize(point.normal), display_name(scene, point.id)};
+    place_ = asked_;
     if (!place_ || !is_open_) return take(nullptr);
     is_open_ = false;
     take(study.contributions(place_->position, place_->normal));
