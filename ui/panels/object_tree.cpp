@@ -114,6 +114,7 @@ ObjectTree::Outcome ObjectTree::draw(const Scene& scene, const Selection& select
     shown_ = selection.primary();
     Rows rows(scene, selection, elsewhere ? shown_ : ObjectId{}, widgets);
     rows.room();
+    if (scene.room) rows.branch("Doors and windows", scene.room->sub_areas, style::quiet_text);
     rows.branch("Luminaires", scene.luminaires, style::accent);
     rows.branch("Arrangements", scene.arrangements, style::accent);
     rows.branch("Furniture", scene.furniture, style::furniture);

@@ -49,9 +49,11 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     ImGui::PopStyleColor();
     const Selection before = selection_;
     if (outcome.chosen) selection_ = *outcome.chosen;
-    const std::optional<Ray> ray = viewport_.pointed(*document_.shown(), ImGui::GetIO().MousePos).ray;
-    if (outcome.chosen && outcome.chosen->empty() && ray)
-        if (const auto found = furnishing_.clicked(*document_.shown(), before, *ray)) selection_ = *found;
+    if (outcome.chosen && outcome.chosen->empty()) {
+        const std::optional<Ray> ray = viewport_.pointed(*document_.shown(), ImGui::GetIO().MousePos).ray;
+        const auto found = ray ? furnishing_.clicked(*document_.shown(), before, *ray) : std::nullopt;
+        if (found) selection_ = *found;
+    }
     if (outcome.moved) {
         gesture_item_ = ImGui::GetCurrentContext()->ActiveId;
         document_.propose(*outcome.moved, outcome.step);
