@@ -1,6 +1,7 @@
 #include "engine/study/study.h"
 
 #include "engine/base/tiles.h"
+#include "engine/direct/light_on_luminaires.h"
 #include "engine/geometry/polygon.h"
 #include "engine/scene/faces.h"
 #include "engine/study/contribution_stage.h"
@@ -123,6 +124,7 @@ struct Study::Stages {
     std::vector<std::unique_ptr<Level>> finer;  // rounds of cutting where the light asks for it
     Level *newest = &fine, *rougher = &coarse;  // the answer's, and the one that its mesh error is told from
     DirectStage point_direct;
+    DirectStage luminaire_flux;
     std::shared_ptr<const OccluderSet> occluders;
     Receivers points, vertices;
     DisplayStage display_stage;
@@ -238,9 +240,24 @@ bool Study::Stages::energy(Run& run, const LevelAnswer& answer) {
     run.clock.enter(Stage::gathering);
     const auto account = newest->flux(answer, *run.scene, run.work);
     if (!account) return false;
-    const auto energy = energy_of(*run.scene, *account, run.fine_input().occluders.get(), run.of_means, run.work);
-    if (energy) run.solution->energy = *energy;
-    return energy.has_value();
+    // The luminaires' bodies as one receiver of two figures: what a luminaire gives, and what of it they take.
+    const std::shared_ptr<const OccluderSet> occluders = run.fine_input().occluders;
+    LightReceivers bodies;
+    bodies.identity = occluders;
+    bodies.count = 1;
+    bodies.figures = 2;
+    bodies.accuracy = run.of_means;
+    bodies.places = [](std::size_t) { return std::span<const Vec3>(); };
+    bodies.compute = [&](const Emitter& emitter, std::span<const std::uint32_t>) -> std::optional<std::vector<double>> {
+        if (!occluders) return std::vector{emitter.flux().value, 0.0};
+        const auto met = flux_on_luminaires(emitter, *run.scene, *occluders, run.of_means, run.work);
+        if (!met) return std::nullopt;
+        return std::vector{emitter.flux().value, met->value};
+    };
+    const auto sums = luminaire_flux.sum(*run.scene, bodies, occluders);
+    if (!sums) return false;
+    run.solution->energy = energy_of(*run.scene, *account, (*sums)[0], (*sums)[1]);
+    return true;
 }
 
 /// The mesh as wished was the first look: patches that misplace light are cut, twice, and then some more

@@ -1,7 +1,5 @@
 #include "engine/study/value_stage.h"
 
-#include "engine/direct/light_on_luminaires.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -76,17 +74,9 @@ std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const PatchLight& 
     return means;
 }
 
-std::optional<EnergyBalance> energy_of(const Scene& scene, const FluxAccount& account, const OccluderSet* occluders,
-                                       const Accuracy& accuracy, const Work& work) {
+EnergyBalance energy_of(const Scene& scene, const FluxAccount& account, double from_luminaires, double on_luminaires) {
     EnergyBalance energy;
-    double from_luminaires = 0.0;
-    for (const WeightedEmitter& weighted : emitters_of(scene)) {
-        from_luminaires += weighted.share * weighted.emitter.flux().value;
-        if (!occluders) continue;
-        const auto met = flux_on_luminaires(weighted.emitter, scene, *occluders, accuracy, work);
-        if (!met) return std::nullopt;
-        energy.on_luminaires += weighted.share * met->value;
-    }
+    energy.on_luminaires = on_luminaires;
     energy.emitted = from_luminaires + account.own;
     energy.absorbed = account.absorbed;
     energy.escaped = account.escaped;

@@ -56,9 +56,8 @@ std::map<SurfaceRef, PointValue> face_means(const Mesh& mesh, const PatchLight& 
 
 /// Where the flux goes. A room is closed: direct light that met nothing is an imbalance there, and has
 /// escaped from a scene of surfaces alone. Of light between surfaces `account` tells all; without one
-/// what is reflected was not followed.
-/// Returns   empty when stopped.
-std::optional<EnergyBalance> energy_of(const Scene& scene, const FluxAccount& account, const OccluderSet* occluders,
-                                       const Accuracy& accuracy, const Work& work);
+/// what is reflected was not followed. `from_luminaires` is their flux as the scene sets it (lm), of which
+/// they take `on_luminaires` from each other.
+EnergyBalance energy_of(const Scene& scene, const FluxAccount& account, double from_luminaires, double on_luminaires);
 
 }  // namespace hanei
