@@ -241,20 +241,20 @@ bool Study::Stages::energy(Run& run, const LevelAnswer& answer) {
     const auto account = newest->flux(answer, *run.scene, run.work);
     if (!account) return false;
     // The luminaires' bodies as one receiver of two figures: what a luminaire gives, and what of it they take.
-    const std::shared_ptr<const OccluderSet> occluders = run.fine_input().occluders;
+    const std::shared_ptr<const OccluderSet> in_the_way = run.fine_input().occluders;
     LightReceivers bodies;
-    bodies.identity = occluders;
+    bodies.identity = in_the_way;
     bodies.count = 1;
     bodies.figures = 2;
     bodies.accuracy = run.of_means;
     bodies.places = [](std::size_t) { return std::span<const Vec3>(); };
     bodies.compute = [&](const Emitter& emitter, std::span<const std::uint32_t>) -> std::optional<std::vector<double>> {
-        if (!occluders) return std::vector{emitter.flux().value, 0.0};
-        const auto met = flux_on_luminaires(emitter, *run.scene, *occluders, run.of_means, run.work);
+        if (!in_the_way) return std::vector{emitter.flux().value, 0.0};
+        const auto met = flux_on_luminaires(emitter, *run.scene, *in_the_way, run.of_means, run.work);
         if (!met) return std::nullopt;
         return std::vector{emitter.flux().value, met->value};
     };
-    const auto sums = luminaire_flux.sum(*run.scene, bodies, occluders);
+    const auto sums = luminaire_flux.sum(*run.scene, bodies, in_the_way);
     if (!sums) return false;
     run.solution->energy = energy_of(*run.scene, *account, (*sums)[0], (*sums)[1]);
     return true;
