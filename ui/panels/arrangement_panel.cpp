@@ -110,8 +110,9 @@ std::optional<Scene> arrangement_panel(const Scene& scene, ObjectId id, Form& fo
     if (auto held = mounting_rows(scene, members, form)) return with_arrangements_kept(std::move(*held));
     form.fact("In it", std::to_string(members.size()));
     if (const std::size_t outside = places_outside(scene, *found); outside > 0)
-        form.remark(fmt::format("{} of its places {} outside the plan and stay{} empty.", outside,
-                                outside == 1 ? "lies" : "lie", outside == 1 ? "s" : ""),
+        form.remark(say(outside == 1 ? "{} of its places lies outside the plan and stays empty."
+                                     : "{} of its places lie outside the plan and stay empty.",
+                        outside),
                     false);
     if (form.button("arrangement.dissolve", "Take apart", "Its luminaires stay where they are, each by itself"))
         return dissolved(scene, id);

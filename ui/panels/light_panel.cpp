@@ -108,8 +108,7 @@ void LightPanel::group(const Scene& scene, const ControlGroup& group, const std:
     ImGui::AlignTextToFramePadding();
     if (ImGui::Selectable(label.c_str(), selection.primary() == group.id, 0, {room, 0.0F})) outcome.chosen = group.id;
     widgets.note("light.group." + group.name);
-    tooltip(fmt::format("{}: {} luminaire{}. Click to see its name, colour and members", group.name, members,
-                        members == 1 ? "" : "s"));
+    tooltip(say("{}: {} in it. Click to see its name, colour and members", group.name, members));
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 2.0F * radius, at.y + 0.5F * height + 3.0F * scale}, radius,
                                                 mark);
     ImGui::SameLine();
@@ -217,7 +216,8 @@ LightPanel::Outcome LightPanel::draw(const Scene& scene, const Selection& select
     }
     if (const int single = members_of(scene, {}); single > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
-        ImGui::TextWrapped("%s", fmt::format("{} luminaire{} in no group", single, single == 1 ? "" : "s").c_str());
+        ImGui::TextWrapped("%s",
+                           say(single == 1 ? "{} luminaire in no group" : "{} luminaires in no group", single).c_str());
         ImGui::PopStyleColor();
     }
     if (!luminaires.empty() && wide("New group of the selected luminaires", "light.new_group",

@@ -141,7 +141,7 @@ std::optional<Scene> luminaire_panel(const Scene& scene, ObjectId id, Form& form
         form.text("luminaire.group", "Group", "Luminaires of one group are dimmed together", group_name);
     changed |= regrouped;
     form.heading("Light");
-    form.fact("Opening", opening_name(luminaire.opening));
+    form.fact("Opening", std::string(tr(opening_name(luminaire.opening))));
     changed |= opening_rows(luminaire, form);
     changed |= distribution_row(luminaire, form);
     changed |= output_rows(luminaire, photometry_of(scene, *found), form);

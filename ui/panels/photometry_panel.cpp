@@ -79,7 +79,10 @@ void PhotometryPanel::plot(Form& form) {
     ImGui::SameLine(0.0F, 2.0F * style::scale());
     if (word("Cartesian", cartesian_, "photometry.cartesian", "Intensity over the angle", widgets)) cartesian_ = true;
     const float units = width_of("cd") + width_of("cd/klm") + 2.0F * style::scale();
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - units);
+    ImGui::SameLine();
+    const float before = ImGui::GetCursorPosX(), from_right = ImGui::GetContentRegionMax().x - units;
+    if (from_right < before) ImGui::NewLine();  // no room beside the words
+    ImGui::SetCursorPosX(from_right);
     if (word("cd", !per_kilolumen_, "photometry.cd", "Candela, as the file says", widgets)) per_kilolumen_ = false;
     ImGui::SameLine(0.0F, 2.0F * style::scale());
     const char* help = shown_.absolute ? "Candela per 1000 lm of the luminaire" : "Candela per 1000 lm of the lamps";
