@@ -25,4 +25,10 @@ double colour_temperature_of(const Scene& scene, const Luminaire& luminaire) {
     return group && group->colour_temperature > 0.0 ? group->colour_temperature : luminaire.colour_temperature;
 }
 
+bool holds_light(const Scene& scene) {
+    return !scene.luminaires.empty() ||
+           std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                       [](const FreeSurface& surface) { return surface.own_exitance.value > 0.0; });
+}
+
 }  // namespace hanei

@@ -17,4 +17,7 @@ double dimming_of(const Scene& scene, const Luminaire& luminaire);
 /// K, of the luminaire's light: its group's where that has one, else its own; 0 is neutral.
 double colour_temperature_of(const Scene& scene, const Luminaire& luminaire);
 
+/// Whether anything could shine in it: a luminaire, or a surface with an exitance of its own.
+bool holds_light(const Scene& scene);
+
 }  // namespace hanei

@@ -1,5 +1,6 @@
 #include "ui/panels/viewport.h"
 
+#include "engine/scene/dimmers.h"
 #include "ui/panels/box_tool.h"
 #include "ui/panels/choosing.h"
 #include "ui/panels/style.h"
@@ -41,16 +42,12 @@ ViewOptions Viewport::options_of(const Input& input, int k) const {
 }
 
 void Viewport::paint_panes(const Input& input, const ViewPainter& paint) {
+    // A room that is only being built is shown in the colours of its materials: darkness says nothing.
+    const SolutionSnapshot lit = holds_light(*input.scene) ? input.solution : nullptr;
     for (int k = 0; k < state.panes.count(); ++k) {
         const Pane& pane = state.panes.pane(k);
-        ViewRequest request{k,
-                            input.painted ? input.painted : input.scene,
-                            input.solution,
-                            pane.camera,
-                            options_of(input, k),
-                            {},
-                            {},
-                            moving()};
+        ViewRequest request{
+            k, input.painted ? input.painted : input.scene, lit, pane.camera, options_of(input, k), {}, {}, moving()};
         request.size = {static_cast<int>(pane.width), static_cast<int>(pane.height)};
         request.highlights.selected = objects_of(*input.scene, input.selection.ids());
         request.highlights.hovered = hovered_;

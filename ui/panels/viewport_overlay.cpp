@@ -1,4 +1,6 @@
 #include "engine/edit/edit.h"
+#include "engine/scene/dimmers.h"
+#include "ui/panels/language.h"
 #include "ui/panels/style.h"
 #include "ui/panels/viewport.h"
 
@@ -121,8 +123,13 @@ void Viewport::draw_handles(const Input& input, const Pane& pane, WidgetRegistry
 }
 
 void Viewport::draw_readout(const Input& input, const ScreenRect& all) const {
-    if (!probe_ || drag_) return;
     const float scale = style::scale();
+    if (!holds_light(*input.scene)) {
+        const std::string text = tr("No light yet: Ctrl+L adds a luminaire");
+        return chip({all.left + 20.0F * scale, all.bottom - ImGui::GetTextLineHeight() - 17.0F * scale}, text,
+                    style::quiet_text);
+    }
+    if (!probe_ || drag_) return;
     const std::string text = probe_->text() + (input.stale ? " · before the last change" : "");
     chip({all.left + 20.0F * scale, all.bottom - ImGui::GetTextLineHeight() - 17.0F * scale}, text,
          input.stale ? style::quiet_text : style::text);

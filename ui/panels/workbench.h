@@ -135,6 +135,7 @@ private:
     void lay_out_luminaires(CommandId id);
     void arrange(ObjectId luminaire, CommandId id);
     void room_tab();
+    void objects_tab();
     void furniture_tab();
     void furnishing_wish(Furnishing::Wish wish);
     void begin_anew(Scene scene);  ///< a project of this scene, in no file yet

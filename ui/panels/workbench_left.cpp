@@ -1,4 +1,3 @@
-#include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/workbench.h"
 
@@ -9,7 +8,23 @@ namespace hanei {
 void Workbench::left(const ScreenRect& area) {
     begin_panel("##left", area);
     movable_edge(Edge::right, area, preferences_.left_width, 140.0F, 420.0F);
-    headline(tr("Objects"), "");
+    if (ImGui::BeginTabBar("lists")) {
+        if (begin_tab("Objects", widgets_)) {
+            objects_tab();
+            ImGui::EndTabItem();
+        }
+        if (begin_tab("Furniture", widgets_, 0, furnishing_.takes_library_wish())) {
+            ImGui::BeginChild("library");
+            furniture_tab();
+            ImGui::EndChild();
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
+    end_panel();
+}
+
+void Workbench::objects_tab() {
     ImGui::BeginChild("tree");
     if (const auto clicked = tree_.draw(*document_.shown(), selection_, widgets_).chosen) {
         selection_ = *clicked;
@@ -19,7 +34,6 @@ void Workbench::left(const ScreenRect& area) {
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemHovered())
         selection_.clear();
     ImGui::EndChild();
-    end_panel();
 }
 
 }  // namespace hanei

@@ -90,12 +90,6 @@ void Workbench::right(const ScreenRect& area) {
             ImGui::EndChild();
             ImGui::EndTabItem();
         }
-        if (begin_tab("Furniture", widgets_, 0, furnishing_.takes_library_wish())) {
-            ImGui::BeginChild("library");
-            furniture_tab();
-            ImGui::EndChild();
-            ImGui::EndTabItem();
-        }
         if (begin_tab("Calculation", widgets_)) {
             ImGui::BeginChild("settings");
             ImGui::Dummy({0.0F, 2.0F * style::scale()});
