@@ -106,6 +106,12 @@ ProjectDoor project_door() {
     door.save = [](const ProjectContent& content, const std::filesystem::path& file) {
         return write_project({content.scene, content.settings}, file);
     };
+    door.read_text = [](std::string_view text) {
+        ProjectRead read = read_project_text(text, {});
+        Opened<ProjectContent> opened{std::nullopt, std::move(read.findings)};
+        if (read.project) opened.content = ProjectContent{std::move(read.project->scene), read.project->settings};
+        return opened;
+    };
     door.read_luminaires = photometries_of;
     door.text = [](const ProjectContent& content) { return project_text({content.scene, content.settings}); };
     door.copy_picture = copy_png;

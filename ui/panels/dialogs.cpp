@@ -47,8 +47,11 @@ void key_row(const std::string& keys, std::string_view what) {
 
 constexpr std::array mouse_map{
     std::pair{"Click", "Choose what is under the pointer"},
-    std::pair{"Drag the chosen object", "Move it in the plan; by an arrow, along that axis"},
-    std::pair{"Ctrl while dragging", "Leave the raster, or keep to it"},
+    std::pair{"Drag the chosen object", "Move it in the plan; by an arrow along that axis, by a ring turn it"},
+    std::pair{"X, Y, Z while dragging", "Keep to that axis; again: free"},
+    std::pair{"A figure while dragging", "How far it goes (0.6; 1.2 in x and y, degrees for turns); Enter ends it"},
+    std::pair{"Ctrl while dragging", "Leave the raster and the lines, or keep to them"},
+    std::pair{"Right click", "What can be done there"},
     std::pair{"Drag the room, right drag", "Turn the view"},
     std::pair{"Middle drag, Shift+drag", "Shift the view"},
     std::pair{"Wheel", "Closer to, or away from, what is under the pointer"},

@@ -1,7 +1,7 @@
 /// What is being edited: the scene with its history, the settings, and where both are kept.
 #pragma once
 
-#include "engine/scene/history.h"
+#include "ui/panels/edit_history.h"
 #include "ui/panels/project_door.h"
 
 #include <filesystem>
@@ -21,27 +21,29 @@ public:
 
     void propose(Scene scene, std::string step);  ///< begins or continues a gesture
     void settle();                                ///< ends it: one step, none when nothing changed
-    void abandon() { working_.reset(); }          ///< ends it as if it had never been
-    bool in_gesture() const { return working_ != nullptr; }
+    void abandon();                               ///< ends it as if it had never been
+    bool in_gesture() const { return working_ != nullptr || working_settings_.has_value(); }
 
-    void commit(Scene scene, std::string step);  ///< a change without a gesture
+    void commit(Scene scene, std::string step);             ///< a change without a gesture
+    void commit(ProjectContent content, std::string step);  ///< of the settings too
     void undo();
     void redo();
-    const History& history() const { return history_; }
+    void go_to(std::size_t step);  ///< of the history
+    const EditHistory& history() const { return history_; }
 
-    const Settings& settings() const { return settings_; }
-    void set_settings(const Settings& settings) { settings_ = settings; }
+    const Settings& settings() const { return working_settings_ ? *working_settings_ : history_.settings(); }
+    void set_settings(const Settings& settings);  ///< begins or continues a gesture, as propose() does
 
-    ProjectContent content() const { return {*shown(), settings_}; }
+    ProjectContent content() const { return {*shown(), settings()}; }
     const std::filesystem::path& file() const { return file_; }
     bool is_saved() const;
     void mark_saved(std::filesystem::path file);
     std::string title() const;  ///< file name without its ending, or the scene's title
 
 private:
-    History history_;
-    Settings settings_, saved_settings_;
+    EditHistory history_;
     SceneSnapshot working_;
+    std::optional<Settings> working_settings_;
     std::string step_;
     std::filesystem::path file_;
 };

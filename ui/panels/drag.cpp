@@ -33,33 +33,4 @@ std::optional<double> along_axis(const Ray& ray, const Vec3& origin, Axis axis) 
 
 double snapped(double value, double raster) { return raster > 0.0 ? std::round(value / raster) * raster : value; }
 
-std::optional<DragGesture> DragGesture::begin(const Ray& ray, const Vec3& place, std::optional<Axis> axis,
-                                              double reach) {
-    DragGesture gesture{place, axis, Vec3{0.0}, reach};
-    if (axis) {
-        const std::optional<double> distance = along_axis(ray, place, *axis);
-        if (!distance) return std::nullopt;
-        gesture.grip.x = *distance;
-        return gesture;
-    }
-    const std::optional<Vec3> met = on_horizontal_plane(ray, place.z, reach);
-    if (!met) return std::nullopt;
-    gesture.grip = *met;
-    return gesture;
-}
-
-Vec3 DragGesture::place(const Ray& ray, double raster, const Vec3& last) const {
-    if (axis) {
-        const std::optional<double> distance = along_axis(ray, start, *axis);
-        if (!distance) return last;
-        const int k = static_cast<int>(*axis);
-        Vec3 at = start;
-        at[k] = snapped(start[k] + *distance - grip.x, raster);
-        return at;
-    }
-    const std::optional<Vec3> met = on_horizontal_plane(ray, start.z, reach);
-    if (!met) return last;
-    return {snapped(start.x + met->x - grip.x, raster), snapped(start.y + met->y - grip.y, raster), start.z};
-}
-
 }  // namespace hanei

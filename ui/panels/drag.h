@@ -23,18 +23,4 @@ std::optional<double> along_axis(const Ray& ray, const Vec3& origin, Axis axis);
 /// The nearest multiples of the raster in x and y (and z); raster 0 leaves it as it is.
 double snapped(double value, double raster);
 
-/// One drag of one object, from press to release.
-struct DragGesture {
-    Vec3 start{0.0};           ///< the object's place when it was taken
-    std::optional<Axis> axis;  ///< by a handle; else in the horizontal plane
-    Vec3 grip{0.0};            ///< plane: where the plane was first met; axis: x holds the first distance
-    double reach = 100.0;      ///< m
-
-    /// Empty when the object cannot be dragged from here (the plane is seen end on).
-    static std::optional<DragGesture> begin(const Ray& ray, const Vec3& place, std::optional<Axis> axis, double reach);
-
-    /// The object's place for the mouse at this ray; stays where it was when the ray says nothing.
-    Vec3 place(const Ray& ray, double raster, const Vec3& last) const;
-};
-
 }  // namespace hanei

@@ -30,6 +30,7 @@ constexpr std::array names{
     std::pair{Key::home, "Home"},
     std::pair{Key::end, "End"},
     std::pair{Key::f1, "F1"},
+    std::pair{Key::f3, "F3"},
     std::pair{Key::keypad_0, "Keypad 0"},
     std::pair{Key::keypad_1, "Keypad 1"},
     std::pair{Key::keypad_2, "Keypad 2"},

@@ -31,6 +31,7 @@ enum class Key : int {
     home,
     end,
     f1 = 290,
+    f3 = 292,
     keypad_0 = 320,  ///< to keypad_9
     keypad_1,
     keypad_2,

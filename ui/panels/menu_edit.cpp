@@ -15,14 +15,12 @@ constexpr std::array table{
     Command{undo, "edit.undo", "Edit", "Undo", "Take back the last change", control('Z')},
     Command{redo, "edit.redo", "Edit", "Redo", "Make the change again that was taken back", control('Y'),
             control('Z', true)},
-    Command{duplicate,
-            "edit.duplicate",
-            "Edit",
-            "Duplicate",
-            "Copy what is selected beside itself",
-            control('D'),
-            {},
-            true},
+    Command{show_history, "edit.history", "Edit", "History...", "All steps by name; a click goes there", control('H')},
+    Command{cut, "edit.cut", "Edit", "Cut", "Copy what is selected, and remove it", control('X'), {}, true},
+    Command{copy, "edit.copy", "Edit", "Copy",
+            "What is selected, with its materials and photometry, for this or another project", control('C')},
+    Command{CommandId::paste, "edit.paste", "Edit", "Paste", "What was copied, where the pointer is", control('V')},
+    Command{duplicate, "edit.duplicate", "Edit", "Duplicate", "Copy what is selected beside itself", control('D')},
     Command{remove, "edit.delete", "Edit", "Delete", "Remove what is selected", {Key::del}},
     Command{select_all,
             "edit.select_all",
@@ -61,11 +59,18 @@ constexpr std::array table{
     Command{toggle_snap,
             "edit.snap",
             "Edit",
-            "Snap to 0.1 m",
-            "Moved objects keep to a 0.1 m raster; Ctrl while dragging does the opposite",
+            "Snap",
+            "Moved objects catch at the raster, walls, centre lines and each other; Ctrl while dragging does the "
+            "opposite",
             plain('G'),
             {},
             true},
+    Command{snap_settings,
+            "edit.snap_settings",
+            "Edit",
+            "Snapping...",
+            "The raster, and what moved objects catch at",
+            {key_of('G'), false, true}},
     Command{nudge_left,
             "edit.nudge_left",
             "",
@@ -129,6 +134,11 @@ bool Workbench::can_edit(CommandId id) const {
             return document_.history().can_undo();
         case CommandId::redo:
             return document_.history().can_redo();
+        case CommandId::cut:
+        case CommandId::copy:
+            return door_.text && can_remove(scene, selection_.ids());
+        case CommandId::paste:
+            return door_.read_text != nullptr;
         case CommandId::duplicate:
         case CommandId::remove:
             return can_remove(scene, selection_.ids());
@@ -162,6 +172,17 @@ void Workbench::do_edit(CommandId id) {
             return document_.undo();
         case CommandId::redo:
             return document_.redo();
+        case CommandId::show_history:
+            return history_list_.open();
+        case CommandId::cut:
+            copy_chosen();
+            return do_edit(CommandId::remove);
+        case CommandId::copy:
+            return copy_chosen();
+        case CommandId::paste:
+            return paste();
+        case CommandId::snap_settings:
+            return snap_popup_.open();
         case CommandId::duplicate:
             return add(duplicated(scene, selection_.ids()), "Duplicate " + words_for(scene, selection_.ids()));
         case CommandId::remove:
@@ -181,7 +202,7 @@ void Workbench::do_edit(CommandId id) {
             selection_.clear();
             return;
         case CommandId::toggle_snap:
-            snaps_ = !snaps_;
+            snap_.on = !snap_.on;
             return;
         case CommandId::nudge_left:
             return nudge({-1.0, 0.0, 0.0});

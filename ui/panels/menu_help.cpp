@@ -10,6 +10,13 @@ namespace {
 using enum CommandId;
 
 constexpr std::array table{
+    Command{command_search,
+            "help.search",
+            "Help",
+            "Find a command...",
+            "Type what it is called, Enter carries it out",
+            {Key::f3},
+            control('P', true)},
     Command{show_keys, "help.keys", "Help", "Keys and mouse", "This list", {Key::f1}, {Key::slash, false, true}},
     Command{show_about, "help.about", "Help", "About Hanei", "What this program is, and its licence", {}},
 };
@@ -22,6 +29,8 @@ bool Workbench::can_help(CommandId) const { return true; }
 
 void Workbench::do_help(CommandId id) {
     switch (id) {
+        case CommandId::command_search:
+            return search_.open();
         case CommandId::show_keys:
             return dialogs_.show_keys();
         case CommandId::show_about:

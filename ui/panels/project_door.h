@@ -21,7 +21,8 @@ struct ProjectDoor {
     /// Every luminaire of a file, each under the name a list of them shows; empty content when there is none.
     std::function<Opened<std::vector<Photometry>>(const std::filesystem::path&)> read_luminaires;
     UserDoor user = {};
-    std::function<std::string(const ProjectContent&)> text = {};  ///< as it would be saved
+    std::function<std::string(const ProjectContent&)> text = {};             ///< as it would be saved
+    std::function<Opened<ProjectContent>(std::string_view)> read_text = {};  ///< of such a text, from the clipboard
     /// A PNG to the system's clipboard. Returns why not, or nothing.
     std::function<std::optional<std::string>(std::string_view)> copy_picture = {};
     /// Furniture, rooms and lamps of a model (glTF).

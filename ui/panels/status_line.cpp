@@ -87,7 +87,7 @@ void Workbench::status_line(const ScreenRect& area) {
         right += fmt::format("{}{}  x {:.2f}  y {:.2f}  z {:.2f} m", right.empty() ? "" : "     ", what, place->x,
                              place->y, place->z);
     }
-    right += std::string("     ") + tr(snaps_ ? "Snap 0.1 m" : "Free");
+    right += "     " + text_of(snap_);
     const std::optional<Task> task = running_task();
     const std::string errors = messages_.unread_errors() == 0   ? std::string()
                                : messages_.unread_errors() == 1 ? std::string(tr("1 error"))
@@ -105,10 +105,14 @@ void Workbench::status_line(const ScreenRect& area) {
         tooltip("Click for the list of what went wrong");
         ImGui::SameLine(0.0F, 24.0F * style::scale());
     }
-    if (task)
+    if (task) {
         task_bar(*task, widgets_);
-    else
+    } else {
         ImGui::TextColored(style::colour(style::quiet_text), "%s", right.c_str());
+        tooltip("Click: what moved objects catch at");
+        widgets_.note("status.snap");
+        if (ImGui::IsItemClicked()) snap_popup_.open();
+    }
     end_panel();
 }
 

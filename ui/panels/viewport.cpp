@@ -1,8 +1,10 @@
 #include "ui/panels/viewport.h"
 
+#include "engine/edit/luminaire_edits.h"
 #include "engine/scene/dimmers.h"
 #include "ui/panels/box_tool.h"
 #include "ui/panels/choosing.h"
+#include "ui/panels/key.h"
 #include "ui/panels/style.h"
 #include "ui/view/pick.h"
 
@@ -94,6 +96,7 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
         else
             draw_handles(input, each, widgets);
         draw_section(input, k, widgets);
+        if (drag_ && drag_->begun && !drag_->over) draw_guides(each, drag_->gesture);
         draw_list.PopClipRect();
     }
     draw_pane_frames(input, all, widgets);
@@ -102,7 +105,7 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
 }
 
 PaneSight Viewport::sight_of(const Input& input, int k, bool hovered) const {
-    return {state.panes.pane(k),           k, input.scene, input.answer, input.selection, input.raster,
+    return {state.panes.pane(k),           k, input.scene, input.answer, input.selection, input.snap.raster_now(),
             hovered && under_pointer_ == k};
 }
 
@@ -116,9 +119,17 @@ Viewport::Outcome Viewport::handle_mouse(const Input& input, bool hovered) {
     Outcome outcome;
     if (ImGui::IsItemActivated()) outcome = handle_press(input, pane);
     if (drag_)
-        outcome = handle_drag(input, pane);
+        outcome = handle_drag(pane);
     else
         look_around(pane);
+    const bool right_released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Right);
+    if (right_released && distance(mouse, pressed_at_) < click_slack) {
+        const ObjectId hit = pick(*input.scene, pane.camera, pane.within(mouse), pane.aspect());
+        const ObjectIds objects = objects_of(*input.scene, input.selection.ids());
+        if (std::find(objects.begin(), objects.end(), hit) == objects.end())
+            outcome.chosen = chosen_by_click(*input.scene, input.selection, hit, {});
+        outcome.menu_wished = true;
+    }
     if (!drag_ && ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
         distance(mouse, pressed_at_) < click_slack) {
         const ImGuiIO& io = ImGui::GetIO();
@@ -154,38 +165,69 @@ Viewport::Outcome Viewport::handle_press(const Input& input, const Pane& pane) {
         take_up(std::move(grip));
         return {};
     }
-    const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());
-    if (!place) return {};
-    const std::optional<Axis> axis = handle_under(input, pane, mouse);
+    const std::optional<HandleSight> handles = handles_of(input, pane);
+    if (!handles) return {};
+    std::optional<Grip> grip = handle_at(*handles, mouse);
     const ObjectIds objects = objects_of(*input.scene, input.selection.ids());
     const ObjectId hit = pick(*input.scene, pane.camera, pane.within(mouse), pane.aspect());
-    const bool on_object = std::find(objects.begin(), objects.end(), hit) != objects.end();
-    if (!axis && !on_object) return {};
-    const Ray ray = pane.ray(mouse);
-    if (const auto gesture = DragGesture::begin(ray, *place, axis, reach_of(*input.scene))) {
-        drag_ = Drag{input.selection.primary(), *gesture, *place};
-    }
+    if (!grip && std::find(objects.begin(), objects.end(), hit) != objects.end()) grip = Grip::plane_xy;
+    if (!grip) return {};
+    auto gesture = ObjectDrag::begin(input.scene, input.selection.ids(), *grip, pane.ray(mouse), reach_of(*input.scene),
+                                     input.snap);
+    if (gesture) drag_ = Drag{std::move(*gesture)};
     return {};
 }
 
-Viewport::Outcome Viewport::handle_drag(const Input& input, const Pane& pane) {
+std::optional<HandleSight> Viewport::handles_of(const Input& input, const Pane& pane) const {
+    const std::optional<Vec3> place =
+        drag_ ? std::optional(drag_->gesture.place()) : middle_of(*input.scene, input.selection.ids());
+    if (!place) return std::nullopt;
+    const Luminaire* luminaire = find_luminaire(*input.scene, input.selection.primary());
+    return HandleSight{pane, *place, luminaire != nullptr, luminaire != nullptr ? luminaire->yaw : 0.0};
+}
+
+namespace {
+
+ObjectDrag::Keys drag_keys() {
+    const ImGuiIO& io = ImGui::GetIO();
+    ObjectDrag::Keys keys;
+    keys.frees = io.KeyCtrl;
+    keys.erases = ImGui::IsKeyPressed(static_cast<int>(Key::backspace));
+    constexpr std::pair<char, Axis> axes[] = {{'X', Axis::x}, {'Y', Axis::y}, {'Z', Axis::z}};
+    for (const auto& [letter, axis] : axes)
+        if (ImGui::IsKeyPressed(static_cast<int>(key_of(letter)), false)) keys.axis = axis;
+    for (const ImWchar letter : io.InputQueueCharacters)
+        if (letter < 128) keys.letters += static_cast<char>(letter);
+    return keys;
+}
+
+bool is_pressed(Key key) { return ImGui::IsKeyPressed(static_cast<int>(key), false); }
+
+}  // namespace
+
+Viewport::Outcome Viewport::handle_drag(const Pane& pane) {
     const ImGuiIO& io = ImGui::GetIO();
     Outcome outcome;
-    drag_->begun = drag_->begun || distance(io.MousePos, pressed_at_) >= click_slack;
-    const std::optional<Vec3> present = place_of(*input.scene, drag_->object);
-    if (drag_->begun && present) {
-        const double raster = io.KeyCtrl ? (input.raster > 0.0 ? 0.0 : 0.1) : input.raster;
-        const Ray ray = pane.ray(io.MousePos);
-        drag_->last = drag_->gesture.place(ray, raster, drag_->last);
-        if (drag_->last != *present) {
-            outcome.moved = moved(*input.scene, input.selection.ids(), drag_->last - *present);
-            outcome.step = "Move " + words_for(*input.scene, input.selection.ids());
-        }
+    const bool let_go = !io.MouseDown[ImGuiMouseButton_Left];
+    if (drag_->over) {
+        if (let_go) drag_.reset();
+        return outcome;
     }
-    if (!io.MouseDown[ImGuiMouseButton_Left] || !present) {
-        outcome.released = true;
+    const ObjectDrag::Keys keys = drag_keys();
+    drag_->begun |= distance(io.MousePos, pressed_at_) >= click_slack || keys.axis || !keys.letters.empty();
+    if (drag_->begun) {
+        constexpr double caught = 8.0;  // pixels to a line that catches
+        const double a_pixel =
+            picture_height_at(pane.camera, drag_->gesture.place()) / static_cast<double>(pane.height);
+        outcome.moved = drag_->gesture.at(pane.ray(io.MousePos), keys, caught * style::scale() * a_pixel);
+        outcome.step = drag_->gesture.step();
+    }
+    outcome.given_up = is_pressed(Key::escape);
+    outcome.released = let_go || is_pressed(Key::enter) || outcome.given_up;
+    if (outcome.released && !let_go)
+        drag_->over = true;
+    else if (outcome.released)
         drag_.reset();
-    }
     return outcome;
 }
 

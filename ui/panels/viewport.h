@@ -1,7 +1,7 @@
 /// The view of the room: looking around, choosing and moving things, reading the light.
 #pragma once
 
-#include "ui/panels/drag.h"
+#include "ui/panels/handles.h"
 #include "ui/panels/pane_set.h"
 #include "ui/panels/probe.h"
 #include "ui/panels/view_painter.h"
@@ -48,7 +48,7 @@ public:
         SolutionSnapshot solution;  ///< what is drawn
         SolutionSnapshot answer;    ///< what values are read from: the last complete one
         Selection selection;
-        double raster = 0.1;  ///< m; 0 is none
+        SnapSettings snap;
         bool stale = false;
         std::span<ViewOverlay* const> overlays{};
         SceneSnapshot painted{};             ///< drawn in place of `scene`, which is still what is edited
@@ -59,7 +59,9 @@ public:
         std::optional<Selection> chosen;  ///< by a click or a tool
         std::optional<Scene> moved;       ///< the scene with what is dragged where it is
         bool released = false;            ///< the drag is over
+        bool given_up = false;            ///< the drag is over and was never meant
         std::string step{};               ///< what is done
+        bool menu_wished = false;         ///< a click of the right button, on what is chosen by then
     };
 
     /// Draws into the rest of the present ImGui window.
@@ -73,6 +75,7 @@ public:
     const ViewTool* tool() const { return tool_.get(); }
 
     bool dragging() const { return drag_.has_value(); }
+    std::string drag_text() const { return drag_ && drag_->begun ? drag_->gesture.readout() : std::string(); }
     bool moving() const { return drag_.has_value() || turning_; }
     const std::optional<Probe>& probe() const { return probe_; }
 
@@ -98,10 +101,9 @@ public:
 
 private:
     struct Drag {
-        ObjectId object;
-        DragGesture gesture;
-        Vec3 last{0.0};
-        bool begun = false;  ///< the mouse went far enough to mean it
+        ObjectDrag gesture;
+        bool begun = false;  ///< the mouse went far enough to mean it, or something was typed
+        bool over = false;   ///< ended by a key; waits for the button to be let go
     };
 
     void draw_isolux_labels(const Input& input, const Pane& pane, int k);
@@ -116,7 +118,7 @@ private:
     void draw_dividers(const ScreenRect& all, WidgetRegistry& widgets);
     Outcome handle_mouse(const Input& input, bool hovered);
     Outcome handle_press(const Input& input, const Pane& pane);
-    Outcome handle_drag(const Input& input, const Pane& pane);
+    Outcome handle_drag(const Pane& pane);
     void read_light(const Input& input, const Pane& pane, bool hovered);
     void draw_handles(const Input& input, const Pane& pane, WidgetRegistry& widgets);
     void draw_planes(const Input& input, const Pane& pane, WidgetRegistry& widgets) const;
@@ -126,8 +128,7 @@ private:
     ViewOptions options_of(const Input& input, int k) const;
     void draw_title(const Pane& pane, const std::string& text) const;
     void draw_readout(const Input& input, const ScreenRect& all) const;
-    std::optional<Axis> handle_under(const Input& input, const Pane& pane, ImVec2 at) const;
-    double handle_length(const Pane& pane, const Vec3& place) const;
+    std::optional<HandleSight> handles_of(const Input& input, const Pane& pane) const;
     PaneSight sight_of(const Input& input, int k, bool hovered) const;
     Outcome handle_tool(const Input& input, bool hovered);
 

@@ -11,25 +11,6 @@
 namespace hanei {
 namespace {
 
-constexpr float grip_radius = 10.0F;   // pixels around a handle's tip that take hold of it
-constexpr double handle_share = 0.13;  // length of a handle, of the picture's height
-
-constexpr std::array axes{Axis::x, Axis::y, Axis::z};
-constexpr std::array axis_names{"handle.x", "handle.y", "handle.z"};
-constexpr std::array axis_colours{style::axis_x, style::axis_y, style::axis_z};
-
-void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float scale) {
-    const float length = std::hypot(to.x - from.x, to.y - from.y);
-    if (length < 6.0F * scale) return;  // seen end on
-    const ImVec2 along{(to.x - from.x) / length, (to.y - from.y) / length};
-    const ImVec2 neck{to.x - 11.0F * scale * along.x, to.y - 11.0F * scale * along.y};
-    const ImVec2 side{-5.0F * scale * along.y, 5.0F * scale * along.x};
-    const ImU32 shade = style::shade;
-    list.AddLine(from, neck, shade, 4.5F * scale);
-    list.AddLine(from, neck, colour, 2.5F * scale);
-    list.AddTriangleFilled(to, {neck.x + side.x, neck.y + side.y}, {neck.x - side.x, neck.y - side.y}, colour);
-}
-
 /// Text on a dark ground, so that it reads over any picture.
 void chip(ImVec2 at, const std::string& text, ImU32 colour) {
     const float scale = style::scale();
@@ -80,46 +61,12 @@ void Viewport::draw_isolux_labels(const Input& input, const Pane& pane, int k) {
     }
 }
 
-double Viewport::handle_length(const Pane& pane, const Vec3& place) const {
-    return handle_share * picture_height_at(pane.camera, place);
-}
-
-std::optional<Axis> Viewport::handle_under(const Input& input, const Pane& pane, ImVec2 at) const {
-    const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());
-    if (!place) return std::nullopt;
-    const auto origin = pane.on_screen(*place);
-    for (const Axis axis : axes) {
-        const auto tip = pane.on_screen(*place + handle_length(pane, *place) * direction_of(axis));
-        const bool end_on = tip && origin && std::hypot(tip->x - origin->x, tip->y - origin->y) < 6.0F * style::scale();
-        if (end_on) continue;  // not drawn either
-        if (tip && std::hypot(tip->x - at.x, tip->y - at.y) < grip_radius * style::scale()) return axis;
-    }
-    return std::nullopt;
-}
-
 void Viewport::draw_handles(const Input& input, const Pane& pane, WidgetRegistry& widgets) {
-    const std::optional<Vec3> place = place_of(*input.scene, input.selection.primary());
-    const std::optional<ImVec2> origin = place ? pane.on_screen(*place) : std::nullopt;
-    if (!origin) return;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float scale = style::scale();
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const std::optional<Axis> under = drag_ ? drag_->gesture.axis : handle_under(input, pane, mouse);
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-        const auto tip = pane.on_screen(*place + handle_length(pane, *place) * direction_of(axes[k]));
-        if (!tip || (drag_ && drag_->gesture.axis && drag_->gesture.axis != axes[k])) continue;
-        arrow(list, *origin, *tip, under == axes[k] ? style::accent : axis_colours[k], scale);
-        if (&pane != &state.panes.pane(0)) continue;
-        const float reach = 5.0F * scale;
-        widgets.note(axis_names[k], {tip->x - reach, tip->y - reach, tip->x + reach, tip->y + reach});
-    }
-    list.AddCircleFilled(*origin, 5.0F * scale, style::shade);
-    list.AddCircleFilled(*origin, 3.5F * scale, style::accent);
-    if (!drag_ || !drag_->begun) return;
-    const Vec3 by = drag_->last - drag_->gesture.start;
-    const std::string text = drag_->gesture.axis == Axis::z ? fmt::format("z {:.2f} m  ({:+.2f})", drag_->last.z, by.z)
-                                                            : fmt::format("{:+.2f}  {:+.2f} m", by.x, by.y);
-    chip({origin->x - 0.5F * ImGui::CalcTextSize(text.c_str()).x, origin->y + 16.0F * scale}, text, style::text);
+    const std::optional<HandleSight> sight = handles_of(input, pane);
+    if (!sight) return;
+    const std::optional<Grip> held = drag_ ? std::optional(drag_->gesture.grip()) : std::nullopt;
+    const std::optional<Grip> lit = held ? held : handle_at(*sight, ImGui::GetIO().MousePos);
+    hanei::draw_handles(*sight, held, lit, &pane == &state.panes.pane(0) ? &widgets : nullptr);
 }
 
 void Viewport::draw_readout(const Input& input, const ScreenRect& all) const {

@@ -58,7 +58,7 @@ void Viewport::draw_section(const Input& input, int k, WidgetRegistry& widgets) 
     // The tip was taken, not the foot: the ray is led through the foot.
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const Ray ray = pane.ray({mouse.x - (tip->x - foot->x), mouse.y - (tip->y - foot->y)});
-    state.camera.left_out.cut = moved_to(cut, ray, bounds, input.raster);
+    state.camera.left_out.cut = moved_to(cut, ray, bounds, input.snap.raster_now());
 }
 
 }  // namespace hanei

@@ -130,6 +130,7 @@ void Workbench::draw(const ViewPainter& paint) {
         selection_.choose(made->object);
     }
     furnishing_wish(furnishing_.questions(*document_.history().now(), selection_, form_));
+    popups();
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
     preferences_dialog_.draw(preferences_, form_);

@@ -3,7 +3,8 @@
 
 #include "engine/edit/excerpt.h"
 #include "ui/panels/autosave.h"
-#include "ui/panels/command.h"
+#include "ui/panels/command_search.h"
+#include "ui/panels/context_menu.h"
 #include "ui/panels/dialogs.h"
 #include "ui/panels/document.h"
 #include "ui/panels/exact_panel.h"
@@ -13,6 +14,7 @@
 #include "ui/panels/form.h"
 #include "ui/panels/frame_recording.h"
 #include "ui/panels/furnishing.h"
+#include "ui/panels/history_list.h"
 #include "ui/panels/light_panel.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/messages_panel.h"
@@ -27,6 +29,7 @@
 #include "ui/panels/recovery_dialog.h"
 #include "ui/panels/selection.h"
 #include "ui/panels/several_panel.h"
+#include "ui/panels/snap_popup.h"
 #include "ui/panels/start_layout_dialog.h"
 #include "ui/panels/viewport.h"
 
@@ -76,7 +79,7 @@ public:
     const Messages& messages() const { return messages_; }
     const RecoveryDialog& recovery() const { return recovery_; }
     const std::string& message() const { return message_; }
-    bool is_snapping() const { return snaps_; }
+    bool is_snapping() const { return snap_.on; }
     long frames() const { return frames_; }
     std::string title() const;  ///< for the window's frame
 
@@ -122,6 +125,10 @@ private:
     void add(AddedSeveral added, std::string step);
     void choose(const ObjectIds& ids);
     void nudge(const Vec3& direction);
+    void open_context_menu(const Selection& chosen);
+    void popups();
+    void copy_chosen();
+    void paste();
 
     void menu_bar();
     void tool_bar(const ScreenRect& area);
@@ -175,7 +182,7 @@ private:
     void read_next();
     void ask_which(const std::filesystem::path& file, std::vector<Photometry> found);
     void finish_arrival();
-    double raster() const { return snaps_ ? 0.1 : 0.0; }  ///< m
+    double raster() const { return snap_.raster_now(); }  ///< m
     void draw_export();
     void ask_for_values();
     void copy_picture();
@@ -210,7 +217,12 @@ private:
     Selection selection_;
     ObjectTree tree_;
     Furnishing furnishing_;
-    bool snaps_ = true;
+    SnapSettings snap_;
+    SnapPopup snap_popup_;
+    ContextMenu context_menu_;
+    CommandSearch search_;
+    HistoryList history_list_;
+    std::optional<ImVec2> menu_at_;  ///< where the context menu was asked for
     bool quits_ = false;
     bool shows_overview_ = true;  ///< once the view has a size
     unsigned gesture_item_ = 0;   ///< the ImGui item whose gesture the working copy belongs to

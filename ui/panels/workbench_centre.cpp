@@ -28,7 +28,7 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
                           kept ? kept : study_.solution(),
                           kept ? kept : study_.answer(),
                           selection_,
-                          raster(),
+                          snap_,
                           !kept && !study_.fresh(),
                           overlays_};
     input.grips = &furnishing_;
@@ -58,7 +58,9 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
         gesture_item_ = ImGui::GetCurrentContext()->ActiveId;
         document_.propose(*outcome.moved, outcome.step);
     }
+    if (outcome.given_up) document_.abandon();
     if (outcome.released) document_.settle();
+    if (outcome.menu_wished) open_context_menu(selection_);
 }
 
 }  // namespace hanei

@@ -26,11 +26,13 @@ void Workbench::left(const ScreenRect& area) {
 
 void Workbench::objects_tab() {
     ImGui::BeginChild("tree");
-    if (const auto clicked = tree_.draw(*document_.shown(), selection_, widgets_).chosen) {
-        selection_ = *clicked;
+    const ObjectTree::Outcome clicked = tree_.draw(*document_.shown(), selection_, widgets_);
+    if (clicked.chosen) {
+        selection_ = *clicked.chosen;
         for (const View& view : document_.shown()->views)
-            if (view.id == selection_.primary()) viewport_.state.camera = camera_of(view);
+            if (view.id == selection_.primary() && !clicked.menu_wished) viewport_.state.camera = camera_of(view);
     }
+    if (clicked.menu_wished) open_context_menu(selection_);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemHovered())
         selection_.clear();
     ImGui::EndChild();

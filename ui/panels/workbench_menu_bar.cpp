@@ -29,7 +29,7 @@ bool Workbench::is_on(CommandId id) const {
     const ViewState& view = viewport_.state;
     switch (id) {
         case CommandId::toggle_snap:
-            return snaps_;
+            return snap_.on;
         case CommandId::four_up:
             return view.panes.shows_parts();
         case CommandId::split_view:

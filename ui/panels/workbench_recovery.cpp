@@ -38,8 +38,7 @@ void Workbench::recover(const LostWork& work) {
     if (!work.original.empty()) before = door_.open(work.original).content;
     if (!before) before = ProjectContent{empty_room(), {}};
     show(Document(std::move(*before), work.original));
-    document_.commit(std::move(kept.content->scene), "Recover unsaved work");
-    document_.set_settings(kept.content->settings);
+    document_.commit(std::move(*kept.content), "Recover unsaved work");
     autosave_.take_over(work);
     message_ = say("Recovered unsaved work of {}", document_.title());
 }

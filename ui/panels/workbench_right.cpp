@@ -6,7 +6,7 @@
 #include "ui/panels/workbench.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 namespace hanei {
 namespace {
@@ -94,7 +94,10 @@ void Workbench::right(const ScreenRect& area) {
             ImGui::BeginChild("settings");
             ImGui::Dummy({0.0F, 2.0F * style::scale()});
             form_.begin("settings");
-            if (const auto wished = settings_panel(document_.settings(), form_)) document_.set_settings(*wished);
+            if (const auto wished = settings_panel(document_.settings(), form_)) {
+                document_.set_settings(*wished);
+                gesture_item_ = form_.finished() ? 0 : ImGui::GetCurrentContext()->ActiveId;
+            }
             form_.end();
             ImGui::EndChild();
             ImGui::EndTabItem();

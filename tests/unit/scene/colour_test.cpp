@@ -1,7 +1,5 @@
 #include "engine/scene/colour.h"
 
-#include "engine/scene/history.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -183,19 +181,14 @@ TEST(Colour, a_file_states_a_temperature_in_plain_figures_or_not_at_all) {
     EXPECT_EQ(stated("3000"), std::nullopt);
 }
 
-TEST(Colour, undo_takes_a_tint_and_a_colour_temperature_back) {
+TEST(Colour, a_tint_and_a_colour_temperature_make_another_scene) {
     const Scene before = room_with_lamps({0.0});
     Scene after = before;
     after.materials[0].tint = {1.05, 1.0, 0.85281};
     EXPECT_NE(before, after);
     after = before;
     after.luminaires[0].colour_temperature = 3000.0;
-    EXPECT_NE(before, after);
-    History history(before);
-    history.commit(after, "Colour of luminaire");
-    EXPECT_EQ(*history.now(), after);
-    history.undo();
-    EXPECT_EQ(*history.now(), before);
+    EXPECT_NE(before, after) << "so that it is a step of the history";
 }
 
 }  // namespace
