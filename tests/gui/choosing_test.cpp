@@ -90,7 +90,7 @@ TEST(AScript, clicks_with_keys_held_and_draws_boxes) {
     std::ostringstream out;
     const auto fault = play_script(
         "key P\nclick object \"Ceiling panel 1\"\nclick object \"Ceiling panel 2\" with Shift\n"
-        "expect \"selected count\" 2\nbox 240 100 960 560\n",
+        "expect \"selected count\" 2\nbox 290 100 830 560\n",
         "choose", driver, out);
     ASSERT_FALSE(fault) << to_text(*fault);
     EXPECT_GT(std::stoi(state(driver, "selected count")), 2);

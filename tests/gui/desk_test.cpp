@@ -143,7 +143,7 @@ TEST(TheDesk, works_out_shadows_while_they_are_looked_at_and_follows_the_chosen_
     EXPECT_EQ(state(driver, "shadow classes"), "true");
     EXPECT_EQ(state(driver, "shadow outlines"), "true");
     EXPECT_DONE(driver.click("tree." + panel));
-    EXPECT_DONE(driver.click("view.direct"));
+    EXPECT_DONE(driver.press("2"));
     EXPECT_EQ(state(driver, "shadow classes"), "false");
     EXPECT_EQ(state(driver, "part"), "direct");
 }

@@ -44,8 +44,9 @@ TEST(Furnishing, begins_a_new_room_of_the_sizes_asked_for) {
     EXPECT_DONE(driver.click("new.shape"));
     EXPECT_DONE(driver.click("new.shape.L"));
     EXPECT_DONE(driver.click("new.ok"));
+    constexpr double inner = 0.4 * 8.5;
     EXPECT_EQ(scene_of(driver).room->plan,
-              (std::vector<Vec2>{{0.0, 0.0}, {8.5, 0.0}, {8.5, 1.6}, {3.4, 1.6}, {3.4, 4.0}, {0.0, 4.0}}));
+              (std::vector<Vec2>{{0.0, 0.0}, {8.5, 0.0}, {8.5, 1.6}, {inner, 1.6}, {inner, 4.0}, {0.0, 4.0}}));
     EXPECT_EQ(depth(driver), 0U);
     EXPECT_DONE(driver.press("Ctrl+Shift+N"));
     EXPECT_DONE(driver.press("Esc"));
@@ -135,7 +136,7 @@ TEST(Furnishing, makes_an_array_with_a_preview_that_is_one_step_or_none) {
     Driver driver(empty_setup());
     driver.frames(3);
     EXPECT_DONE(driver.click("tab.Furniture"));
-    EXPECT_DONE(driver.click("library.stool"));
+    EXPECT_DONE(driver.click("library.desk"));
     EXPECT_EQ(scene_of(driver).furniture.size(), 1U);
     EXPECT_DONE(driver.click("menu.Arrange"));
     EXPECT_DONE(driver.click("arrange.array"));
