@@ -51,9 +51,9 @@ TEST_F(ThePreferences, remember_how_wide_panels_were_dragged) {
     {
         Driver driver(setup());
         const ScreenRect view = *driver.workbench().widgets().find("view");
-        driver.point_at(view.left - 3.0F, view.y());
+        driver.point_at(usual.left_width - 3.0F, view.y());
         driver.button(0, true);
-        driver.point_at(view.left + 57.0F, view.y());
+        driver.point_at(usual.left_width + 57.0F, view.y());
         driver.button(0, false);
     }
     Driver driver(setup());
