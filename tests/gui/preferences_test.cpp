@@ -13,7 +13,9 @@ namespace {
 
 class ThePreferences : public testing::Test {
 protected:
-    ThePreferences() : folder(std::filesystem::path(testing::TempDir()) / "hanei user") {
+    ThePreferences()
+        : folder(std::filesystem::path(testing::TempDir()) / "hanei user" /
+                 testing::UnitTest::GetInstance()->current_test_info()->name()) {  // tests run side by side
         std::filesystem::remove_all(folder);
     }
     Driver::Setup setup(const std::filesystem::path& file = {}) const {
