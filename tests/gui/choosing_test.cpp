@@ -1,4 +1,4 @@
-#include "app/desktop.h"
+#include "computer_room.h"
 #include "engine/edit/several.h"
 #include "ui/panels/state_text.h"
 #include "ui/window/driver.h"
@@ -10,21 +10,12 @@
 namespace hanei {
 namespace {
 
-/// The computer room with wide patches: the window is on trial here, not the figures.
-Driver::Setup setup() {
-    Opened<ProjectContent> opened =
-        project_door().open(std::filesystem::path(HANEI_SOURCE) / "assets/rooms/computer-room-panels.hanei");
-    EXPECT_TRUE(opened.content);
-    opened.content->settings.max_patch = 1.5;
-    return {*opened.content, {}, project_door()};
-}
-
 std::string state(const Driver& driver, const std::string& name) { return state_of(driver.workbench())[name]; }
 
 #define EXPECT_DONE(action) EXPECT_EQ(action, "")
 
 TEST(Choosing, every_object_that_is_seen_is_chosen_by_a_click_on_it) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     const SceneSnapshot scene = driver.workbench().document().shown();
     int chosen = 0;
     for (const ObjectId id : all_objects(*scene)) {
@@ -39,7 +30,7 @@ TEST(Choosing, every_object_that_is_seen_is_chosen_by_a_click_on_it) {
 }
 
 TEST(Choosing, by_a_box_and_shift_and_moving_them_is_one_step) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     const SceneSnapshot before = driver.workbench().document().shown();
     EXPECT_DONE(driver.press("P"));
     EXPECT_DONE(driver.press("Ctrl+A"));
@@ -57,7 +48,7 @@ TEST(Choosing, by_a_box_and_shift_and_moving_them_is_one_step) {
 }
 
 TEST(Choosing, in_the_tree_takes_ranges_and_single_rows) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     EXPECT_DONE(driver.click("tree.Ceiling panel 1"));
     EXPECT_DONE(driver.click("tree.Ceiling panel 2", 0, {false, true, false}));
     EXPECT_EQ(state(driver, "selected count"), "2");
@@ -73,7 +64,7 @@ TEST(Choosing, in_the_tree_takes_ranges_and_single_rows) {
 }
 
 TEST(Choosing, all_of_a_kind_and_turning_them_together) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     EXPECT_DONE(driver.click("tree.Ceiling panel 1"));
     EXPECT_DONE(driver.press("Ctrl+Shift+A"));
     EXPECT_EQ(state(driver, "selected count"), "2");
@@ -86,7 +77,7 @@ TEST(Choosing, all_of_a_kind_and_turning_them_together) {
 }
 
 TEST(AScript, clicks_with_keys_held_and_draws_boxes) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     std::ostringstream out;
     const auto fault = play_script(
         "key P\nclick object \"Ceiling panel 1\"\nclick object \"Ceiling panel 2\" with Shift\n"

@@ -1,4 +1,4 @@
-#include "app/desktop.h"
+#include "computer_room.h"
 #include "engine/edit/several.h"
 #include "ui/panels/state_text.h"
 #include "ui/window/driver.h"
@@ -10,15 +10,6 @@
 
 namespace hanei {
 namespace {
-
-/// The computer room with wide patches: the window is on trial here, not the figures.
-Driver::Setup setup() {
-    Opened<ProjectContent> opened =
-        project_door().open(std::filesystem::path(HANEI_SOURCE) / "assets/rooms/computer-room-panels.hanei");
-    EXPECT_TRUE(opened.content);
-    opened.content->settings.max_patch = 1.5;
-    return {*opened.content, {}, project_door()};
-}
 
 std::string state(const Driver& driver, const std::string& name) { return state_of(driver.workbench())[name]; }
 double figure(const Driver& driver, const std::string& name) { return std::stod(state(driver, name)); }
@@ -33,7 +24,7 @@ std::string play(Driver& driver, const std::string& lines) {
 }
 
 TEST(AHandle, takes_a_typed_length_and_ends_on_enter) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     EXPECT_DONE(driver.click("tree.Ceiling panel 1"));
     const double x = figure(driver, "selected.x"), y = figure(driver, "selected.y");
     EXPECT_DONE(play(driver, "hold handle.x\nmove 30 0\ntype 1.25\nkey Enter\nrelease\n"));
@@ -44,7 +35,7 @@ TEST(AHandle, takes_a_typed_length_and_ends_on_enter) {
 }
 
 TEST(AHandle, is_given_up_on_escape) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     const SceneSnapshot before = driver.workbench().document().shown();
     EXPECT_DONE(driver.click("tree.Ceiling panel 1"));
     EXPECT_DONE(play(driver, "hold handle.plane\nmove 60 10\nkey Esc\nrelease\n"));
@@ -54,7 +45,7 @@ TEST(AHandle, is_given_up_on_escape) {
 }
 
 TEST(AHandle, turns_by_its_ring) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     EXPECT_DONE(driver.click("tree.Ceiling panel 1"));
     EXPECT_DONE(play(driver, "hold handle.rotate\nmove 20 0\ntype 30\nkey Enter\nrelease\n"));
     EXPECT_NEAR(figure(driver, "yaw"), 30.0, 1e-6);
@@ -62,7 +53,7 @@ TEST(AHandle, turns_by_its_ring) {
 }
 
 TEST(TheClipboard, carries_objects_from_one_project_to_another) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     EXPECT_DONE(driver.click("tree.Ceiling panel 1"));
     EXPECT_DONE(driver.click("tree.Cooler", 0, {true, false, false}));
     EXPECT_DONE(driver.press("Ctrl+C"));
@@ -81,7 +72,7 @@ TEST(TheClipboard, carries_objects_from_one_project_to_another) {
 }
 
 TEST(TheClipboard, with_anything_else_answers_with_a_sentence) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     for (const char* text : {"", "good morning", "{", "{\"scene\": 3}", "[[[[[[[[", "\xFF\xFE"}) {
         ImGui::SetClipboardText(text);
         EXPECT_DONE(driver.press("Ctrl+V"));
@@ -91,7 +82,7 @@ TEST(TheClipboard, with_anything_else_answers_with_a_sentence) {
 }
 
 TEST(TheMenus, of_the_right_button_and_the_search_carry_commands_out) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     EXPECT_DONE(driver.click("tree.Cooler", 1));
     driver.frames(2);
     EXPECT_EQ(state(driver, "selected"), "Cooler");

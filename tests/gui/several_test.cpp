@@ -1,5 +1,6 @@
-#include "app/desktop.h"
 #include "engine/edit/several.h"
+
+#include "computer_room.h"
 #include "ui/panels/state_text.h"
 #include "ui/window/driver.h"
 
@@ -8,21 +9,12 @@
 namespace hanei {
 namespace {
 
-/// The computer room with wide patches: the window is on trial here, not the figures.
-Driver::Setup setup() {
-    Opened<ProjectContent> opened =
-        project_door().open(std::filesystem::path(HANEI_SOURCE) / "assets/rooms/computer-room-panels.hanei");
-    EXPECT_TRUE(opened.content);
-    opened.content->settings.max_patch = 1.5;
-    return {*opened.content, {}, project_door()};
-}
-
 std::string state(const Driver& driver, const std::string& name) { return state_of(driver.workbench())[name]; }
 
 #define EXPECT_DONE(action) EXPECT_EQ(action, "")
 
 TEST(ManyObjects, are_changed_together_by_one_field_in_one_step) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     const SceneSnapshot before = driver.workbench().document().shown();
     EXPECT_DONE(driver.click("tree.Ceiling panel 1"));
     EXPECT_DONE(driver.press("Ctrl+Shift+A"));
@@ -39,7 +31,7 @@ TEST(ManyObjects, are_changed_together_by_one_field_in_one_step) {
 }
 
 TEST(ManyObjects, that_differ_take_the_value_of_the_last_one_when_it_is_typed) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     EXPECT_DONE(driver.click("tree.Ceiling panel 1"));
     EXPECT_DONE(driver.click("luminaire.dimming"));
     driver.type("40");
@@ -54,7 +46,7 @@ TEST(ManyObjects, that_differ_take_the_value_of_the_last_one_when_it_is_typed) {
 }
 
 TEST(ManyObjects, are_numbered_when_they_are_named_together) {
-    Driver driver(setup());
+    Driver driver(computer_room());
     EXPECT_DONE(driver.click("tree.Ceiling panel 1"));
     EXPECT_DONE(driver.press("Ctrl+Shift+A"));
     EXPECT_DONE(driver.click("luminaire.name"));
