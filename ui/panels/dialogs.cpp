@@ -1,6 +1,7 @@
 #include "ui/panels/dialogs.h"
 
 #include "ui/panels/command.h"
+#include "ui/panels/dialog_frame.h"
 #include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/style.h"
@@ -15,24 +16,7 @@
 namespace hanei {
 namespace {
 
-constexpr float button_width = 110.0F;
-
-bool dialog_button(const char* label, const char* name, WidgetRegistry& widgets) {
-    const bool pressed =
-        ImGui::Button(fmt::format("{}###{}", tr(label), name).c_str(), {button_width * style::scale(), 0.0F});
-    widgets.note(name);
-    return pressed;
-}
-
 bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
-
-void buttons_from_right(int count) {
-    const float space = ImGui::GetStyle().ItemSpacing.x;
-    const float width =
-        static_cast<float>(count) * button_width * style::scale() + static_cast<float>(count - 1) * space;
-    ImGui::Dummy({0.0F, 6.0F * style::scale()});
-    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-}
 
 void key_row(const std::string& keys, std::string_view what) {
     ImGui::TableNextRow();
@@ -99,15 +83,8 @@ void Dialogs::ask_choice(std::string title, std::string text, std::vector<std::s
 
 bool Dialogs::begin(const char* title, float width) {
     const std::string label = fmt::format("{}###dialog", tr(title));
-    if (opening_) ImGui::OpenPopup(label.c_str());
-    opening_ = false;
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({std::min(width * style::scale(), screen.x - 40.0F), 0.0F});
-    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {screen.x, screen.y - 60.0F});
-    bool stay = true;
-    const bool drawn =
-        ImGui::BeginPopupModal(label.c_str(), &stay, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+    bool stays = false;
+    const bool drawn = begin_dialog(label, width, opening_, stays);
     if (!drawn) kind_ = Kind::none;
     return drawn;
 }
