@@ -70,7 +70,7 @@ LightClass classify(const ReceivingPolygon& patch, const Emitter& emitter, const
     }
     if (whole != LightClass::partly) between.clear();
     std::ranges::sort(between);
-    between.erase(std::ranges::unique(between).begin(), between.end());
+    between.erase(std::unique(between.begin(), between.end()), between.end());
     return whole;
 }
 

@@ -55,7 +55,7 @@ public:
         for (std::size_t k = 0; k < emitter.pieces().size(); ++k) add(k);
         if (shining.size() < 2) return;
         std::ranges::sort(bodies);
-        bodies.erase(std::ranges::unique(bodies).begin(), bodies.end());
+        bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     }
 
     std::vector<Shining> shining;
