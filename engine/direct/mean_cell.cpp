@@ -69,7 +69,7 @@ struct Seen {
     double spread = 0.0;  ///< greatest within a part
 };
 
-Seen seen_from(const Vec3& place, const ShadowedCell& cell, const PatchLight& light) {
+Seen seen_from(const Vec3& place, const ShadowedCell& cell, const LightOnPatch& light) {
     thread_local std::vector<BodyIndex> between;
     const Obstacles obstacles{light.occluders, light.emitter.luminaire().value, light.bodies};
     obstacles.between(place, cell.patch.corners, between);
@@ -90,7 +90,7 @@ Seen seen_from(const Vec3& place, const ShadowedCell& cell, const PatchLight& li
     return seen;
 }
 
-double seen_share(const Vec3& place, const ShadowedCell& cell, const PatchLight& light) {
+double seen_share(const Vec3& place, const ShadowedCell& cell, const LightOnPatch& light) {
     thread_local std::vector<BodyIndex> between;
     const Obstacles obstacles{light.occluders, light.emitter.luminaire().value, light.bodies};
     obstacles.between(place, cell.patch.corners, between);
@@ -102,7 +102,7 @@ double seen_share(const Vec3& place, const ShadowedCell& cell, const PatchLight&
 }
 
 /// How much more or less of the cell the opening's corners see than its nodes, which all see the same.
-double unnoticed_at_nodes(double share, const ShadowedCell& cell, const PatchLight& light) {
+double unnoticed_at_nodes(double share, const ShadowedCell& cell, const LightOnPatch& light) {
     double most = 0.0;
     for (const Vec3& corner : cell.opening.corners)
         most = std::max(most, std::abs(seen_share(corner, cell, light) - share));
@@ -111,7 +111,7 @@ double unnoticed_at_nodes(double share, const ShadowedCell& cell, const PatchLig
 
 }  // namespace
 
-void ReceivingCell::measure(const PatchLight& light) {
+void ReceivingCell::measure(const LightOnPatch& light) {
     mean = {};
     if (patch.count == 0) return;
     Spread spread;
@@ -140,7 +140,7 @@ std::vector<ReceivingCell> ReceivingCell::halves() const {
     return parts;
 }
 
-void ShadowedCell::measure(const PatchLight& light) {
+void ShadowedCell::measure(const LightOnPatch& light) {
     mean = {};
     if (patch.count == 0 || opening.count == 0) return;
     if (next == Next::nodes && opening.count > 1) return measure_from_centre(light);
@@ -174,7 +174,7 @@ void ShadowedCell::measure(const PatchLight& light) {
     mean.error = weight * (of_patch + of_opening);
 }
 
-void ShadowedCell::measure_from_centre(const PatchLight& light) {
+void ShadowedCell::measure_from_centre(const LightOnPatch& light) {
     const PlaceLight whole = light.emitter.from_place(piece, opening.centre, patch, light.normal);
     double share = 1.0;
     if (!light.bodies.empty()) {

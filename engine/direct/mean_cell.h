@@ -10,7 +10,7 @@
 namespace hanei {
 
 /// An emitter and the bodies that can stand between it and a patch.
-struct PatchLight {
+struct LightOnPatch {
     const Emitter& emitter;
     const OccluderSet* occluders;
     std::span<const BodyIndex> bodies;  ///< ascending
@@ -24,7 +24,7 @@ struct ReceivingCell {
     double weight = 1.0;  ///< of the whole patch
     Estimate mean;        ///< weight x mean illuminance
 
-    void measure(const PatchLight& light);
+    void measure(const LightOnPatch& light);
     std::vector<ReceivingCell> halves() const;
 };
 
@@ -39,10 +39,10 @@ struct ShadowedCell {
     Estimate mean;
     enum class Next { nodes, patch, opening } next = Next::nodes;  ///< what looking closer begins with
 
-    void measure(const PatchLight& light);
+    void measure(const LightOnPatch& light);
     std::vector<ShadowedCell> halves() const;
 
-    void measure_from_centre(const PatchLight& light);
+    void measure_from_centre(const LightOnPatch& light);
 };
 
 }  // namespace hanei

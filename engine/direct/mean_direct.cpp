@@ -20,7 +20,7 @@ constexpr std::size_t most_in_shadow = 31;
 /// Cuts the cell of the greatest error until what all may be off by together is allowed. Errors of cells
 /// hardly depend on each other; a tenth is taken to.
 template <class Cell>
-Estimate refined(std::vector<Cell>& cells, const PatchLight& light, const Accuracy& allowed, std::size_t most) {
+Estimate refined(std::vector<Cell>& cells, const LightOnPatch& light, const Accuracy& allowed, std::size_t most) {
     const auto less = [](const Cell& a, const Cell& b) { return a.mean.error < b.mean.error; };
     for (std::size_t cuts = 0;; ++cuts) {
         double value = 0.0, error = 0.0, squares = 0.0;
@@ -96,7 +96,7 @@ Estimate mean_on(const ReceivingPolygon& polygon, const Emitter& emitter, const 
     if (sight.shining.empty()) return {};
     FlatCell whole(Polygon(polygon.outline.begin(), polygon.outline.end()));
     if (whole.count == 0) return {};
-    const PatchLight light{emitter, occluders, sight.bodies, polygon.normal, accuracy};
+    const LightOnPatch light{emitter, occluders, sight.bodies, polygon.normal, accuracy};
     const Accuracy allowed{std::max(accuracy.share, finest_share), accuracy.floor};
     if (!emitter.shines_from_places() || (sight.bodies.empty() && emitter.is_exact())) {
         std::vector<ReceivingCell> cells;

@@ -71,15 +71,15 @@ std::vector<double> carried(const std::vector<double>& values, std::span<const A
 
 }  // namespace
 
-void CarriedLight::keep(std::shared_ptr<const Mesh> mesh, SurfaceLight light, double flux) {
+void CarriedLight::keep(std::shared_ptr<const Mesh> mesh, LightOfSurfaces light, double flux) {
     mesh_ = std::move(mesh);
     light_ = std::move(light);
     light_.open.clear();
     flux_ = flux;
 }
 
-SurfaceLight CarriedLight::at(const std::shared_ptr<const Mesh>& mesh, double flux) const {
-    SurfaceLight light = light_;
+LightOfSurfaces CarriedLight::at(const std::shared_ptr<const Mesh>& mesh, double flux) const {
+    LightOfSurfaces light = light_;
     if (mesh != mesh_) {
         const std::vector<Among> sources = sources_of(*mesh_, *mesh);
         light.interreflected = carried(light_.interreflected, sources);

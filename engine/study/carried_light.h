@@ -12,18 +12,18 @@ namespace hanei {
 class CarriedLight {
 public:
     /// `flux`, lm, is what all luminaires emitted.
-    void keep(std::shared_ptr<const Mesh> mesh, SurfaceLight light, double flux);
+    void keep(std::shared_ptr<const Mesh> mesh, LightOfSurfaces light, double flux);
 
     bool empty() const { return mesh_ == nullptr; }
 
     /// What was kept, in proportion to the flux emitted. At a vertex that another mesh did not have: among
     /// the nearest of its face; on a face that it did not have: the mean of all.
     /// Needs     something kept.
-    SurfaceLight at(const std::shared_ptr<const Mesh>& mesh, double flux) const;
+    LightOfSurfaces at(const std::shared_ptr<const Mesh>& mesh, double flux) const;
 
 private:
     std::shared_ptr<const Mesh> mesh_;
-    SurfaceLight light_;
+    LightOfSurfaces light_;
     double flux_ = 0.0;
 };
 

@@ -64,7 +64,7 @@ struct GroupParts {
 };
 std::vector<GroupParts> groups_in(const LevelAnswer& answer, const Scene& scene) {
     int bands = 1;
-    for (const LightPart& part : answer.parts) bands = std::max(bands, part.band + 1);
+    for (const MixPart& part : answer.parts) bands = std::max(bands, part.band + 1);
     std::vector<GroupParts> groups;
     std::size_t next = 0;
     for (const LightGroup& group : light_groups(scene)) {
@@ -86,7 +86,7 @@ std::vector<GroupParts> groups_in(const LevelAnswer& answer, const Scene& scene)
 bool divide_by_group(Contributions& made, const Level& level, const LevelAnswer& answer, const LevelInput& input,
                      const Gathering& gathering) {
     std::vector<std::vector<double>> exitances;
-    for (const LightPart& part : answer.parts) exitances.push_back(level.node_values(part.light->exitance));
+    for (const MixPart& part : answer.parts) exitances.push_back(level.node_values(part.light->exitance));
     const auto lux = gathering.from(exitances);
     if (!lux) return false;
     double sum = 0.0;
@@ -107,7 +107,7 @@ bool divide_by_bounce(Contributions& made, const Level& level, const LevelAnswer
     const std::size_t limit = answer.refusal.empty() ? static_cast<std::size_t>(input.settings->bounces) + 1 : 1;
     const std::size_t count = std::min(told_reflections + 1, limit);
     std::vector<double> by_reflections(count + 1, 0.0);
-    for (const LightPart& part : answer.parts) {
+    for (const MixPart& part : answer.parts) {
         const auto exitances = level.reflections(part, *input.scene, count, work);
         if (!exitances) return false;
         const auto lux = gathering.from(*exitances);

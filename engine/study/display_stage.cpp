@@ -84,7 +84,7 @@ bool DisplayStage::update(const DisplayInput& input, const Work& work) {
     return true;
 }
 
-std::shared_ptr<const DisplayMesh> DisplayStage::dressed(const SurfaceLight& light) const {
+std::shared_ptr<const DisplayMesh> DisplayStage::dressed(const LightOfSurfaces& light) const {
     auto display = std::make_shared<DisplayMesh>();
     display->cells = cut_.cells;
     display->has_unshadowed = open_ && !light.open.empty();

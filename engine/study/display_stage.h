@@ -34,7 +34,7 @@ struct DisplayInput {
 };
 
 /// Light from surfaces, lx, one value a mesh vertex.
-struct SurfaceLight {
+struct LightOfSurfaces {
     std::vector<double> interreflected;
     std::vector<std::vector<double>> bands;  ///< the same in each colour band; none: the same in all
     std::vector<double> open;                ///< of the room without shadows; empty when not wanted
@@ -52,7 +52,7 @@ public:
     bool reused() const { return reused_; }        ///< the last update() neither cut nor lit anything
 
     /// Needs     a successful update().
-    std::shared_ptr<const DisplayMesh> dressed(const SurfaceLight& light) const;
+    std::shared_ptr<const DisplayMesh> dressed(const LightOfSurfaces& light) const;
 
 private:
     bool cut(const DisplayInput& input, const Work& work);

@@ -12,10 +12,10 @@ constexpr double wide = 2.5;  // times the patch width: a sixth of the patches
 
 }  // namespace
 
-SurfaceLight light_at_vertices(const Level& level, const LevelAnswer& answer) {
-    SurfaceLight light{level.vertex_values(mixed(answer.parts, &SideLight::interreflected)), {}, {}};
+LightOfSurfaces light_at_vertices(const Level& level, const LevelAnswer& answer) {
+    LightOfSurfaces light{level.vertex_values(mixed(answer.parts, &SideLight::interreflected)), {}, {}};
     const bool coloured =
-        std::any_of(answer.parts.begin(), answer.parts.end(), [](const LightPart& part) { return part.band > 0; });
+        std::any_of(answer.parts.begin(), answer.parts.end(), [](const MixPart& part) { return part.band > 0; });
     for (int band = 0; coloured && band < colour_bands; ++band)
         light.bands.push_back(level.vertex_values(mixed_band(answer.parts, band, &SideLight::interreflected)));
     return light;

@@ -11,8 +11,8 @@ public:
     struct Made {
         std::shared_ptr<const Mesh> mesh;
         std::shared_ptr<const DisplayMesh> display;
-        SurfaceLight light;  ///< at the mesh's vertices
-        double flux = 0.0;   ///< lm, of all luminaires as the scene sets them
+        LightOfSurfaces light;  ///< at the mesh's vertices
+        double flux = 0.0;      ///< lm, of all luminaires as the scene sets them
     };
     /// Needs     the input of the full answer.
     /// Returns   empty when stopped.
@@ -25,6 +25,6 @@ private:
 };
 
 /// From an answer of the level at its unknowns.
-SurfaceLight light_at_vertices(const Level& level, const LevelAnswer& answer);
+LightOfSurfaces light_at_vertices(const Level& level, const LevelAnswer& answer);
 
 }  // namespace hanei

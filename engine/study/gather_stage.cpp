@@ -27,7 +27,7 @@ bool GatherStage::gather(const std::vector<std::shared_ptr<const SideLight>>& li
     return true;
 }
 
-std::optional<GatheredLight> GatherStage::get(const RowsInput& input, std::span<const LightPart> parts,
+std::optional<GatheredLight> GatherStage::get(const RowsInput& input, std::span<const MixPart> parts,
                                               const SourceOf& source_of, const Work& work) {
     const StoredRows* const rows = rows_.get(input, work);
     if (!rows) return std::nullopt;
@@ -35,18 +35,18 @@ std::optional<GatheredLight> GatherStage::get(const RowsInput& input, std::span<
     version_ = rows_.version();
 
     std::vector<std::shared_ptr<const SideLight>> anew;
-    for (const LightPart& part : parts)
+    for (const MixPart& part : parts)
         if (!kept_.contains(part.light.get())) anew.push_back(part.light);
     reused_ = rows_.reused() && anew.empty();
     if (!anew.empty() && !gather(anew, source_of, *rows, work)) return std::nullopt;
 
     GatheredLight total;
     int bands = 1;
-    for (const LightPart& part : parts) bands = std::max(bands, part.band + 1);
+    for (const MixPart& part : parts) bands = std::max(bands, part.band + 1);
     total.interreflected.assign(rows->rows(), 0.0);
     total.iteration.assign(rows->rows(), 0.0);
     if (bands > 1) total.bands.assign(static_cast<std::size_t>(bands), total.interreflected);
-    for (const LightPart& part : parts) {
+    for (const MixPart& part : parts) {
         const Kept& kept = kept_.at(part.light.get());
         const double share = part.level * part.band_weight;
         for (std::size_t k = 0; k < rows->rows(); ++k) {

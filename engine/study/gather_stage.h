@@ -26,7 +26,7 @@ public:
     using SourceOf = std::function<Source(const SideLight&)>;
 
     /// Returns   empty when stopped.
-    std::optional<GatheredLight> get(const RowsInput& rows, std::span<const LightPart> parts, const SourceOf& source_of,
+    std::optional<GatheredLight> get(const RowsInput& rows, std::span<const MixPart> parts, const SourceOf& source_of,
                                      const Work& work);
     bool reused() const { return reused_; }  ///< the last get() gathered nothing
 

@@ -310,7 +310,7 @@ LevelAnswer Level::first_guess(std::span<const SideInput> sides, std::vector<dou
         for (std::size_t k = 0; k < areas.size(); ++k)
             light->exitance[k] += sides[s].reflectance[k] * (light->direct[k] + ambient);
         light->exitance_half_width.assign(areas.size(), with_ambient ? 0.0 : unbounded);
-        LightPart part = levels_[s];
+        MixPart part = levels_[s];
         part.light = std::move(light);
         answer.parts.push_back(std::move(part));
     }
@@ -384,7 +384,7 @@ std::optional<LevelAnswer> Level::solve(const LevelInput& input, const Work& wor
     if (!lights) return std::nullopt;
     clock.mark_reused(sides_.reused());
     for (std::size_t s = 0; s < lights->size(); ++s) {
-        LightPart part = levels_[s];
+        MixPart part = levels_[s];
         part.light = (*lights)[s];
         answer.bounces = std::max(answer.bounces, part.light->bounces);
         answer.converged = answer.converged && part.light->converged;
@@ -401,7 +401,7 @@ std::optional<FluxAccount> Level::flux(const LevelAnswer& answer, const Scene& s
     const std::vector<double>* const sums = row_sums_.get(rows_.version(), [&] { return rows_.now()->row_sums(work); });
     if (!sums) return std::nullopt;
     const std::vector<double> areas = unknown_areas(), own = own_exitances(), none(areas.size(), 0.0);
-    for (const LightPart& part : answer.parts) {
+    for (const MixPart& part : answer.parts) {
         const std::vector<double> reflecting = reflectances(scene, part.band);
         const FluxAccount account = account_of(
             {areas, reflecting, part.of_surfaces ? own : none, part.light->direct, part.light->interreflected, *sums});
@@ -416,7 +416,7 @@ std::optional<FluxAccount> Level::flux(const LevelAnswer& answer, const Scene& s
     return total;
 }
 
-std::optional<GatheredLight> Level::gather(int slot, std::span<const LightPart> parts,
+std::optional<GatheredLight> Level::gather(int slot, std::span<const MixPart> parts,
                                            const std::shared_ptr<const std::vector<Receiver>>& receivers,
                                            const LevelInput& input, const Work& work, StageClock& clock) {
     RowsInput rows = rows_between_surfaces(input);

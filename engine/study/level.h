@@ -30,7 +30,7 @@ struct LevelInput {
 
 /// One resolution's answer.
 struct LevelAnswer {
-    std::vector<LightPart> parts;      ///< of every group and band; values at the unknowns
+    std::vector<MixPart> parts;        ///< of every group and band; values at the unknowns
     std::vector<double> patch_direct;  ///< lx, mean over each patch
     int bounces = 0;                   ///< the most of any part
     bool converged = true;
@@ -61,7 +61,7 @@ public:
     /// Light from this level's surfaces at other places, kept as long as it is the same. `slot` numbers
     /// the set of receivers (0: calculation points, 1: vertices).
     /// Returns   empty when stopped.
-    std::optional<GatheredLight> gather(int slot, std::span<const LightPart> parts,
+    std::optional<GatheredLight> gather(int slot, std::span<const MixPart> parts,
                                         const std::shared_ptr<const std::vector<Receiver>>& receivers,
                                         const LevelInput& input, const Work& work, StageClock& clock);
 
@@ -80,7 +80,7 @@ public:
     /// gathered from: what the part emits or what of its direct light is reflected, then what of that is
     /// reflected again, and so on. All of them together are the part's exitance.
     /// Returns   empty when stopped.
-    std::optional<std::vector<std::vector<double>>> reflections(const LightPart& part, const Scene& scene,
+    std::optional<std::vector<std::vector<double>>> reflections(const MixPart& part, const Scene& scene,
                                                                 std::size_t count, const Work& work) const;
 
     const Cut& now() const { return cut_; }
@@ -117,7 +117,7 @@ private:
     std::shared_ptr<const void> geometry_;  ///< the same object as long as the shapes and nodes are
     bool of_the_paper_ = false;
     std::vector<Receiver> unknowns_;
-    std::vector<LightPart> levels_;  ///< one a side of the last solve, without light
+    std::vector<MixPart> levels_;  ///< one a side of the last solve, without light
     DirectStage direct_, patch_direct_;
     RowsStage rows_;
     StageCache<std::shared_ptr<const void>, std::vector<double>> row_sums_;

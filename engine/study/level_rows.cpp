@@ -12,7 +12,7 @@ std::optional<StoredRows> Level::rows_to(std::span<const Receiver> receivers, co
     return make_rows(rows, work);
 }
 
-std::optional<std::vector<std::vector<double>>> Level::reflections(const LightPart& part, const Scene& scene,
+std::optional<std::vector<std::vector<double>>> Level::reflections(const MixPart& part, const Scene& scene,
                                                                    std::size_t count, const Work& work) const {
     const std::vector<double> reflecting = reflectances(scene, part.band);
     std::vector<double> leaving = part.of_surfaces ? own_exitances() : std::vector<double>(reflecting.size(), 0.0);

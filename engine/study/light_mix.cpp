@@ -11,15 +11,15 @@ void add(std::vector<double>& sum, double share, const std::vector<double>& valu
 
 }  // namespace
 
-std::vector<double> mixed(std::span<const LightPart> parts, LightField field) {
+std::vector<double> mixed(std::span<const MixPart> parts, LightField field) {
     std::vector<double> sum;
-    for (const LightPart& part : parts) add(sum, part.level * part.band_weight, (*part.light).*field);
+    for (const MixPart& part : parts) add(sum, part.level * part.band_weight, (*part.light).*field);
     return sum;
 }
 
-std::vector<double> mixed_band(std::span<const LightPart> parts, int band, LightField field) {
+std::vector<double> mixed_band(std::span<const MixPart> parts, int band, LightField field) {
     std::vector<double> sum;
-    for (const LightPart& part : parts)
+    for (const MixPart& part : parts)
         if (part.band == band) add(sum, part.level, (*part.light).*field);
     return sum;
 }

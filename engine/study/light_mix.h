@@ -21,7 +21,7 @@ struct SideLight {
 };
 
 /// What the scene's dimmers make of it.
-struct LightPart {
+struct MixPart {
     double level = 1.0;        ///< of the group
     double band_weight = 1.0;  ///< of the band in what the eye sees as luminous flux
     int band = 0;
@@ -31,7 +31,7 @@ struct LightPart {
 
 /// Sum over all parts of the field, by luminous flux / over the parts of one band.
 using LightField = std::vector<double> SideLight::*;
-std::vector<double> mixed(std::span<const LightPart> parts, LightField field);
-std::vector<double> mixed_band(std::span<const LightPart> parts, int band, LightField field);
+std::vector<double> mixed(std::span<const MixPart> parts, LightField field);
+std::vector<double> mixed_band(std::span<const MixPart> parts, int band, LightField field);
 
 }  // namespace hanei

@@ -156,10 +156,10 @@ struct Study::Stages {
     bool shadows(Run& run);
     bool values(Run& run, const LevelAnswer& answer, const LevelAnswer* rough);
     bool light_display(Run& run, bool open);
-    bool display(Run& run, const SurfaceLight& light, bool open);
+    bool display(Run& run, const LightOfSurfaces& light, bool open);
     bool picture_ahead(Run& run, const std::function<void(SolutionSnapshot)>& publish);
-    void keep_for_next(const Run& run, SurfaceLight light);
-    std::optional<SurfaceLight> vertex_light(Run& run, const LevelAnswer& answer);
+    void keep_for_next(const Run& run, LightOfSurfaces light);
+    std::optional<LightOfSurfaces> vertex_light(Run& run, const LevelAnswer& answer);
     bool energy(Run& run, const LevelAnswer& answer);
     std::optional<LevelAnswer> solve_coarse(Run& run);
     std::optional<LevelAnswer> refine(Run& run, const LevelAnswer& base);
@@ -357,13 +357,13 @@ std::optional<std::vector<double>> Study::Stages::open_interreflected(Run& run) 
     return std::move(light->interreflected);
 }
 
-std::optional<SurfaceLight> Study::Stages::vertex_light(Run& run, const LevelAnswer& answer) {
+std::optional<LightOfSurfaces> Study::Stages::vertex_light(Run& run, const LevelAnswer& answer) {
     if (answer.parts.empty() || !gathers_at_vertices(run.settings, *run.solution->mesh))
         return light_at_vertices(*newest, answer);
     run.clock.enter(Stage::gathering);
     auto light = newest->gather(vertices_slot, answer.parts, vertices, run.fine_input(), run.work, run.clock);
     if (!light) return std::nullopt;
-    return SurfaceLight{std::move(light->interreflected), std::move(light->bands), {}};
+    return LightOfSurfaces{std::move(light->interreflected), std::move(light->bands), {}};
 }
 
 bool Study::Stages::light_display(Run& run, bool open) {
@@ -381,7 +381,7 @@ bool Study::Stages::light_display(Run& run, bool open) {
     return true;
 }
 
-bool Study::Stages::display(Run& run, const SurfaceLight& light, bool open) {
+bool Study::Stages::display(Run& run, const LightOfSurfaces& light, bool open) {
     if (!light_display(run, open)) return false;
     run.solution->display = display_stage.dressed(light);
     return true;
@@ -411,7 +411,7 @@ bool Study::Stages::picture_ahead(Run& run, const std::function<void(SolutionSna
     return true;
 }
 
-void Study::Stages::keep_for_next(const Run& run, SurfaceLight light) {
+void Study::Stages::keep_for_next(const Run& run, LightOfSurfaces light) {
     const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - run.begun;
     taken[run.request.live] = {run.solution->mesh, run.solution->occluders, passed.count()};
     carried.keep(run.solution->mesh, std::move(light), display_stage.flux());

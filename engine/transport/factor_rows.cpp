@@ -78,7 +78,7 @@ void FactorRows::write_face(std::size_t face, const Receiver& receiver, std::spa
     const FaceSeen seen = seen_from(layout, receiver);
     if (seen == FaceSeen::hidden) return;
     if (seen == FaceSeen::touching) return write_touching(layout, receiver, row);
-    const FlatFace& flat = flat_[face];
+    const FarPatches& flat = flat_[face];
     const FlatReceiver at = flat.flat(receiver);
     const bool horizon_cuts = seen == FaceSeen::partly;
     float* columns = row + layout.face->first_patch * nodes_.per_patch;

@@ -1,7 +1,7 @@
 /// Rows of coefficients: how much the exitance at every node gives to a receiver, nothing in between.
 #pragma once
 
-#include "engine/transport/flat_face.h"
+#include "engine/transport/far_patches.h"
 #include "engine/transport/kernel_middle.h"
 #include "engine/transport/nodes.h"
 #include "engine/transport/seen_face.h"
@@ -43,7 +43,7 @@ private:
     const Mesh& mesh_;
     const Nodes& nodes_;
     std::vector<FaceLayout> layouts_;
-    std::vector<FlatFace> flat_;      // one a layout
+    std::vector<FarPatches> flat_;    // one a layout
     std::vector<PatchFrame> frames_;  // one a patch
     std::vector<bool> rectangles_;
     std::size_t most_patches_ = 0;

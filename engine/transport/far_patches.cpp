@@ -1,4 +1,4 @@
-#include "engine/transport/flat_face.h"
+#include "engine/transport/far_patches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,7 @@ bool is_rectangle(const Polygon& outline) {
            std::abs(glm::dot(a, b)) <= 1e-9 * glm::length(a) * glm::length(b);
 }
 
-FlatFace::FlatFace(const Mesh& mesh, const MeshFace& face, Elements elements, std::span<const PatchFrame> frames)
+FarPatches::FarPatches(const Mesh& mesh, const MeshFace& face, Elements elements, std::span<const PatchFrame> frames)
     : along_(face.face.along),
       across_(glm::cross(face.face.normal, face.face.along)),
       front_(face.face.normal),
@@ -80,14 +80,14 @@ FlatFace::FlatFace(const Mesh& mesh, const MeshFace& face, Elements elements, st
     }
 }
 
-float FlatFace::flat_u(const Vec3& place) const {
+float FarPatches::flat_u(const Vec3& place) const {
     return static_cast<float>(glm::dot(place - origin_, along_) / unit_);
 }
-float FlatFace::flat_v(const Vec3& place) const {
+float FarPatches::flat_v(const Vec3& place) const {
     return static_cast<float>(glm::dot(place - origin_, across_) / unit_);
 }
 
-void FlatFace::add_patch(const Patch& patch, const PatchFrame& frame) {
+void FarPatches::add_patch(const Patch& patch, const PatchFrame& frame) {
     const double weight = patch.area / (4.0 * std::numbers::pi * unit_ * unit_);
     weights_.insert(weights_.end(), linear_ ? 4 : 1, static_cast<float>(weight));
     for (unsigned k = 0; k < 4; ++k) {
@@ -117,14 +117,14 @@ void FlatFace::add_patch(const Patch& patch, const PatchFrame& frame) {
     add_points(patch, frame);
 }
 
-void FlatFace::add_eight(const Vec3& spare) {
+void FarPatches::add_eight(const Vec3& spare) {
     EightPoints& eight = points_.emplace_back();
     eight.u.fill(flat_u(spare));
     eight.v.fill(flat_v(spare));
     if (linear_) node_weights_.emplace_back();
 }
 
-void FlatFace::add_points(const Patch& patch, const PatchFrame& frame) {
+void FarPatches::add_points(const Patch& patch, const PatchFrame& frame) {
     if (is_rectangle(patch.outline)) {
         add_eight(patch.centre);
         const double half = std::sqrt(3.0);
@@ -147,7 +147,7 @@ void FlatFace::add_points(const Patch& patch, const PatchFrame& frame) {
     first_points_.push_back(static_cast<std::uint32_t>(points_.size()));
 }
 
-void FlatFace::add_point(std::size_t k, const Vec3& place, double area, const PatchFrame& frame) {
+void FarPatches::add_point(std::size_t k, const Vec3& place, double area, const PatchFrame& frame) {
     EightPoints& eight = points_.back();
     eight.u[k] = flat_u(place);
     eight.v[k] = flat_v(place);
@@ -161,7 +161,7 @@ void FlatFace::add_point(std::size_t k, const Vec3& place, double area, const Pa
     }
 }
 
-FlatReceiver FlatFace::flat(const Receiver& receiver) const {
+FlatReceiver FarPatches::flat(const Receiver& receiver) const {
     const auto normal = [&](const Vec3& axis) { return static_cast<float>(glm::dot(receiver.normal, axis)); };
     return {flat_u(receiver.position),
             flat_v(receiver.position),
@@ -171,7 +171,7 @@ FlatReceiver FlatFace::flat(const Receiver& receiver) const {
             normal(front_)};
 }
 
-void FlatFace::write_far(const FlatReceiver& receiver, float* columns) const {
+void FarPatches::write_far(const FlatReceiver& receiver, float* columns) const {
     if (linear_) {
         kernel_at_points(receiver, node_u_[0], node_v_[0], weights_, columns);
         return;
@@ -180,7 +180,7 @@ void FlatFace::write_far(const FlatReceiver& receiver, float* columns) const {
                     {node_v_[0].data(), node_v_[1].data(), node_v_[2].data(), node_v_[3].data()}, weights_, columns);
 }
 
-bool FlatFace::may_be_cut(std::size_t patch, const FlatReceiver& receiver) const {
+bool FarPatches::may_be_cut(std::size_t patch, const FlatReceiver& receiver) const {
     const float up_u = receiver.normal_u * (centre_u_[patch] - receiver.u);
     const float up_v = receiver.normal_v * (centre_v_[patch] - receiver.v);
     const float rising = up_u + up_v - receiver.normal_height * receiver.height;
@@ -189,7 +189,7 @@ bool FlatFace::may_be_cut(std::size_t patch, const FlatReceiver& receiver) const
     return std::abs(rising) < not_by_rounding * extent;
 }
 
-std::size_t FlatFace::list_others(const FlatReceiver& receiver, bool horizon_cuts, std::uint32_t* list) const {
+std::size_t FarPatches::list_others(const FlatReceiver& receiver, bool horizon_cuts, std::uint32_t* list) const {
     std::size_t count = 0;
     for (std::size_t p = 0; p < patches(); ++p) {
         list[count] = static_cast<std::uint32_t>(p);
@@ -199,8 +199,8 @@ std::size_t FlatFace::list_others(const FlatReceiver& receiver, bool horizon_cut
     return count;
 }
 
-bool FlatFace::write_by_points(std::size_t patch, const FlatReceiver& receiver, bool horizon_cuts,
-                               float* columns) const {
+bool FarPatches::write_by_points(std::size_t patch, const FlatReceiver& receiver, bool horizon_cuts,
+                                 float* columns) const {
     if (square_of_distance(patch, receiver) < near_square_[patch]) return false;
     if (horizon_cuts && may_be_cut(patch, receiver)) return false;
     const std::size_t first = first_points_[patch];

@@ -18,9 +18,9 @@ namespace hanei {
 /// Holds     the form factor to 1e-4 of it where it is nearest for its way, to 1e-5 twice as far; single
 ///           precision adds 1e-6.
 /// Cost      0.3 us a patch to build; then see far_kernel.h.
-class FlatFace {
+class FarPatches {
 public:
-    FlatFace(const Mesh& mesh, const MeshFace& face, Elements elements, std::span<const PatchFrame> frames);
+    FarPatches(const Mesh& mesh, const MeshFace& face, Elements elements, std::span<const PatchFrame> frames);
 
     FlatReceiver flat(const Receiver& receiver) const;
 
