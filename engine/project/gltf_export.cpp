@@ -33,20 +33,11 @@ JsonValue own_extras(JsonValue own) {
     return extras;
 }
 
-JsonValue own_kind(const char* kind) {
+JsonValue own_kind(const char* kind, ObjectId id) {
     JsonValue own = json_object();
     own.add("kind", json_text(kind));
+    own.add("id", json_number(id.value));
     return own;
-}
-
-/// What of the project no mesh holds.
-JsonValue project_part(const Scene& scene) {
-    const JsonValue whole = json_of(Project{scene, {}});
-    JsonValue part = json_object();
-    for (const char* const key : {"title", "maintenance_factor", "materials", "room", "photometries", "control_groups",
-                                  "luminaires", "grids", "points", "views"})
-        if (const JsonValue* const value = whole.find(key)) part.add(key, *value);
-    return part;
 }
 
 class Export {
@@ -75,7 +66,7 @@ public:
         }
         JsonValue own = json_object();
         own.add("scene", json_number(picture == nullptr ? 0 : 1));
-        own.add("project", project_part(scene_));
+        own.add("project", scene_without_settings(scene_));
         writer_.root().add("scene", json_number(0));
         writer_.root().add("extras", own_extras(std::move(own)));
         return binary ? writer_.binary() : writer_.text();
@@ -110,6 +101,7 @@ private:
         pbr.add("roughnessFactor", json_number(1.0));
         if (exitance.value > 0.0) add_emission(made, exitance.value / std::numbers::pi);
         JsonValue own = json_object();
+        if (found != nullptr) own.add("id", json_number(id.value));
         own.add("reflectance", json_number(stated.reflectance));
         own.add("tint", json_of(stated.tint));
         made.add("extras", own_extras(std::move(own)));
@@ -179,7 +171,8 @@ private:
         if (!scene_.room) return;
         std::vector<JsonValue> primitives;
         for (const auto& [id, list] : room_pieces(scene_)) primitives.push_back(primitive(list, material(id, {})));
-        add_plain(node(scene_.room->name, mesh(scene_.room->name, std::move(primitives))), own_kind("room"));
+        add_plain(node(scene_.room->name, mesh(scene_.room->name, std::move(primitives))),
+                  own_kind("room", scene_.room->id));
     }
 
     void add_furniture(const Furniture& furniture) {
@@ -191,7 +184,7 @@ private:
         made.add("translation", json_of(lying(furniture.position)));
         const double half = 0.5 * furniture.rotation;
         if (half != 0.0) made.add("rotation", json_numbers({0.0, std::sin(half), 0.0, std::cos(half)}));
-        add_plain(std::move(made), own_kind("furniture"));
+        add_plain(std::move(made), own_kind("furniture", furniture.id));
     }
 
     void add_surface(const FreeSurface& surface) {
@@ -199,9 +192,7 @@ private:
         list.add(surface.region);
         std::vector<JsonValue> primitives;
         primitives.push_back(primitive(list, material(surface.material, surface.own_exitance)));
-        JsonValue own = own_kind("surface");
-        if (surface.own_exitance.value > 0.0) own.add("exitance_lm_m2", json_number(surface.own_exitance.value));
-        add_plain(node(surface.name, mesh(surface.name, std::move(primitives))), std::move(own));
+        add_plain(node(surface.name, mesh(surface.name, std::move(primitives))), own_kind("surface", surface.id));
     }
 
     void add_luminaire(const Luminaire& luminaire) {
@@ -219,9 +210,7 @@ private:
             .add("KHR_lights_punctual", json_object())
             .add("light", json_number(static_cast<double>(lights_.items.size())));
         lights_.items.push_back(punctual_light(luminaire, scene_));
-        JsonValue own = own_kind("luminaire");
-        own.add("id", json_number(luminaire.id.value));
-        add_plain(std::move(made), std::move(own));
+        add_plain(std::move(made), own_kind("luminaire", luminaire.id));
     }
 
     int add_lit(const LitSurface& surface) {
@@ -263,6 +252,7 @@ std::string gltf_file(const Scene& scene, const LitPicture* picture, bool binary
 }
 
 std::optional<Diagnostic> write_gltf(const Scene& scene, const LitPicture* picture, const std::filesystem::path& file) {
+    if (auto fault = unwritable(scene_without_settings(scene), file)) return fault;
     return write_text_file(file, gltf_file(scene, picture, file.extension() != ".gltf"));
 }
 

@@ -39,7 +39,7 @@ struct LitPicture {
 ///     KHR_materials_unlit), beside the plain one;
 ///   - what import_gltf needs to give the same scene back (gltf_own.h).
 ///
-/// Not in it are settings, models of furniture, groups of objects, arrangements and light scenes.
+/// Left out are the settings of the calculation: they are the project's, and no part of what it shows.
 ///
 /// Returns   the file's bytes: binary (.glb) or text with its buffer in it (.gltf).
 std::string gltf_file(const Scene& scene, const LitPicture* picture, bool binary);

@@ -67,8 +67,8 @@ Emitted emitted(const Luminaire& luminaire, const Scene& scene) {
 JsonValue punctual_light(const Luminaire& luminaire, const Scene& scene) {
     const Emitted full = emitted(luminaire, scene);
     const ControlGroup* const group = with_id(scene.control_groups, luminaire.group);
-    const double flux =
-        full.flux * luminaire.dimming * scene.maintenance_factor * (group == nullptr ? 1.0 : group->dimming);
+    const double flux = std::max(0.0, full.flux) * luminaire.dimming * scene.maintenance_factor *
+                        (group == nullptr ? 1.0 : group->dimming);
     JsonValue light = json_object();
     if (!luminaire.name.empty()) light.add("name", json_text(luminaire.name));
     light.add("type", json_text(full.downward ? "spot" : "point"));

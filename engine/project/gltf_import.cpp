@@ -31,6 +31,8 @@ public:
         check_required_extensions(document_);
         const bool as_written = options_.metres_per_unit == 1.0 && options_.up == GltfUpAxis::y;
         std::optional<Scene> own = as_written ? own_project(document_) : std::nullopt;
+        check_own_nodes(document_, own ? &*own : nullptr);
+        if (has_errors(document_.reading().findings)) return;  // what follows from these would only mislead
         const auto nodes = placed_nodes(document_.reading(), document_.root(), own_scene(document_));
         const auto foreign = without_own_luminaires(nodes, own.has_value());
         const auto primitives = placed_primitives(document_, foreign, farthest / options_.metres_per_unit);

@@ -1,5 +1,6 @@
 #include "engine/project/gltf_material.h"
 
+#include "engine/project/project_reader.h"
 #include "engine/scene/colour.h"
 
 #include <algorithm>
@@ -129,6 +130,12 @@ private:
         const JsonValue* const own = extras == nullptr ? nullptr : extras->find("hanei");
         if (own != nullptr && own->is(JsonValue::Kind::object)) {
             Fields fields(reading_, *own, fields_.path_of("extras.hanei"));
+            if (const JsonValue* const id = fields.take("id")) {
+                if (is_id(*id))
+                    result_.material.id.value = static_cast<std::uint32_t>(id->number);
+                else
+                    fields.error("id", "found " + described(*id) + ", expected a whole number from 1 to 4294967294");
+            }
             Material exact = result_.material;
             exact.tint = Vec3{1.0};
             fields.optional("reflectance", exact.reflectance);

@@ -6,7 +6,8 @@
 
 namespace hanei {
 
-/// A material without id, and what its surfaces do beside reflecting.
+/// A material, and what its surfaces do beside reflecting. Its id is the one the exporter wrote; none in
+/// foreign files.
 struct GltfMaterial {
     Material material;
     LuminousExitance own_exitance;

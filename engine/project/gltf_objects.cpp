@@ -38,10 +38,19 @@ public:
             if (!look_into_root && !is_wrapper(name_of(*roots_[0]))) break;
             roots_ = children->second;
         }
+        for (const GltfNode& node : nodes_)
+            if (is_own_object(node) && std::find(roots_.begin(), roots_.end(), &node) == roots_.end())
+                roots_.push_back(&node);
         for (const GltfNode* const root : roots_) top_[root->number] = root->number;
         for (const GltfNode& node : nodes_)
             if (node.parent && top_.count(node.number) == 0 && top_.count(*node.parent) > 0)
                 top_[node.number] = top_[*node.parent];
+    }
+
+    /// Lamps are no objects: they hang below whatever their node is below.
+    bool is_own_object(const GltfNode& node) const {
+        const std::string kind = own_node(document_, node.number).kind;
+        return kind == "room" || kind == "furniture" || kind == "surface";
     }
 
     const std::vector<const GltfNode*>& roots() const { return roots_; }
@@ -109,14 +118,19 @@ std::vector<GltfObject> gltf_objects(GltfDocument& document, const std::vector<G
                           axes.place(Vec3{root->to_world[3]}),
                           bearing_of(*root, axes),
                           {}};
+        const bool own = grouping.is_own_object(*root);
+        const JsonValue* const name = grouping.json(*root).find("name");
+        object.named = name != nullptr && !name->text.empty();
+        object.to_world = root->to_world;
         std::vector<TriangleSoup> soups;
         for (const GltfPrimitive& primitive : primitives) {
             if (!grouping.is_below(primitive.node, root->number)) continue;
             if (soups.empty() || object.own.kind == "furniture") soups.emplace_back();
             append(soups.back(), primitive, axes, label_of(primitive.material));
+            if (own) append(object.shown, primitive, axes, label_of(primitive.material));
         }
         for (TriangleSoup& soup : soups) object.meshes.push_back(mesh_object(object.name, std::move(soup), weld));
-        if (!object.meshes.empty()) objects.push_back(std::move(object));
+        if (own || !object.meshes.empty()) objects.push_back(std::move(object));
     }
     return objects;
 }

@@ -27,9 +27,13 @@ struct GltfObject {
     Vec3 origin{0.0};                ///< m, the node's
     double rotation = 0.0;           ///< rad, the node's about the vertical
     std::vector<MeshObject> meshes;  ///< one; of the exporter's own furniture one a primitive
+    bool named = false;              ///< by its node
+    glm::dmat4 to_world{1.0};        ///< the node's, in the file's axes
+    TriangleSoup shown{};            ///< of the exporter's own objects: all triangles as they are
 };
 
-/// Top-level nodes and all meshes below them. A lone root without a mesh is looked into when
+/// Top-level nodes and those that the exporter wrote, each with all meshes below it that belong to no
+/// other. A lone root without a mesh is looked into when
 /// `look_into_root` or converters name their roots so ("Sketchfab_model").
 ///
 /// Needs     nodes parents first, as placed_nodes() returns them; labels for all materials of primitives.

@@ -1,5 +1,6 @@
 #include "engine/project/gltf_own.h"
 
+#include "engine/edit/arrangements.h"
 #include "engine/project/luminaire_axes.h"
 #include "engine/project/project_reader.h"
 #include "engine/scene/placement.h"
@@ -38,20 +39,86 @@ bool agree(const Vec3& a, const Vec3& b) {
 
 Vec3 upright(const Vec3& v) { return {v.x, -v.z, v.y}; }
 
+/// What the luminaire stands by and where its node has it.
+struct NodeAxes {
+    Vec3 position, x, z;
+    explicit NodeAxes(const GltfNode& node)
+        : position(upright(Vec3{node.to_world[3]})),
+          x(upright(Vec3{node.to_world[0]})),
+          z(upright(Vec3{node.to_world[2]})) {}
+    bool have_direction() const {
+        const double size = glm::length(x) * glm::length(z);
+        return size > 0.0 && glm::length(glm::cross(x, z)) > 1e-6 * size;
+    }
+};
+
+/// Hangs the luminaire where its node is; false when it hangs there already.
+bool hang(Luminaire& luminaire, const GltfNode& node) {
+    const NodeAxes axes(node);
+    const Placement placed = placement(luminaire);
+    const bool there = agree(luminaire.position, axes.position);
+    if (!there) luminaire.position = axes.position;
+    if (!axes.have_direction()) return !there;
+    const Vec3 c0 = glm::normalize(axes.x), up = glm::normalize(axes.z);
+    const bool turned = !agree(placed.direction({1.0, 0.0, 0.0}), c0) || !agree(placed.direction({0.0, 0.0, 1.0}), up);
+    if (turned) aim(luminaire, -up, c0);
+    return turned || !there;
+}
+
+bool hangs_at(Luminaire luminaire, const GltfNode& node) { return !hang(luminaire, node); }
+
+std::string names_of(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 5;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(most, names.size()); ++k) text += (k == 0 ? "" : ", ") + json_quoted(names[k]);
+    return names.size() > most ? text + ", ..." : text;
+}
+
+template <class Object>
+bool holds(const std::vector<Object>& list, ObjectId id) {
+    return std::any_of(list.begin(), list.end(), [id](const Object& object) { return object.id == id; });
+}
+
+bool holds(const Scene& scene, const GltfOwnNode& node) {
+    if (node.kind == "furniture") return holds(scene.furniture, node.id);
+    if (node.kind == "surface") return holds(scene.surfaces, node.id);
+    if (node.kind == "luminaire") return holds(scene.luminaires, node.id);
+    return scene.room && scene.room->id == node.id;
+}
+
 }  // namespace
 
-GltfOwnNode own_node(GltfDocument& document, std::size_t node) {
-    GltfOwnNode result;
+GltfOwnNode own_node(const GltfDocument& document, std::size_t node) {
     const JsonValue* const own = own_extras(document.root().find("nodes")->items[node]);
-    if (own == nullptr) return result;
-    Fields fields(document.reading(), *own, "nodes[" + std::to_string(node) + "].extras.hanei");
-    int id = 0;
-    fields.optional("kind", result.kind);
-    fields.optional("id", id);
-    result.luminaire.value = static_cast<std::uint32_t>(std::max(0, id));
-    if (fields.optional("exitance_lm_m2", result.own_exitance.value) && !(result.own_exitance.value >= 0.0))
-        fields.error("exitance_lm_m2", "found " + described(*own->find("exitance_lm_m2")) + ", it cannot be negative");
+    const JsonValue* const kind = own == nullptr ? nullptr : own->find("kind");
+    const JsonValue* const id = own == nullptr ? nullptr : own->find("id");
+    GltfOwnNode result;
+    if (kind != nullptr && kind->is(JsonValue::Kind::text)) result.kind = kind->text;
+    if (id != nullptr && is_id(*id)) result.id.value = static_cast<std::uint32_t>(id->number);
     return result;
+}
+
+void check_own_nodes(GltfDocument& document, const Scene* own) {
+    const JsonValue* const nodes = document.root().find("nodes");
+    if (nodes == nullptr) return;
+    for (std::size_t k = 0; k < nodes->items.size(); ++k) {
+        const JsonValue* const extras = own_extras(nodes->items[k]);
+        if (extras == nullptr) continue;
+        Fields fields(document.reading(), *extras, "nodes[" + std::to_string(k) + "].extras.hanei");
+        std::string kind;
+        if (!fields.optional("kind", kind)) continue;
+        if (kind != "room" && kind != "furniture" && kind != "surface" && kind != "luminaire") {
+            fields.error("kind", "found " + json_quoted(kind) +
+                                     ", expected \"room\", \"furniture\", \"surface\" or \"luminaire\"");
+            continue;
+        }
+        const JsonValue* const id = fields.take("id");
+        if (id == nullptr) continue;
+        if (!is_id(*id))
+            fields.error("id", "found " + described(*id) + ", expected a whole number from 1 to 4294967294");
+        else if (own != nullptr && !holds(*own, own_node(document, k)))
+            fields.error("id", "found " + described(*id) + ", which is no " + kind + " of extras.hanei.project");
+    }
 }
 
 std::optional<std::size_t> own_scene(GltfDocument& document) {
@@ -67,53 +134,63 @@ std::optional<Scene> own_project(GltfDocument& document) {
     const JsonValue* const part = own == nullptr ? nullptr : own->find("project");
     JsonReading& reading = document.reading();
     if (part == nullptr || !names_no_file(reading, *part)) return std::nullopt;
-    const std::size_t before = reading.findings.size();
-    Fields fields(reading, *part, "");
-    SceneReader reader{reading, {}, {}, {}};
-    reader.scene.last_id = greatest_id(*part);
-    fields.optional("title", reader.scene.title);
-    fields.optional("maintenance_factor", reader.scene.maintenance_factor);
-    read_materials(reader, fields);
-    read_room(reader, fields);
-    read_photometries(reader, fields);
-    read_control_groups(reader, fields);
-    read_luminaires(reader, fields);
-    read_calculation(reader, fields);
-    read_views(reader, fields);
-    const auto is_new_error = [](const Diagnostic& finding) { return finding.severity == Severity::error; };
-    const bool readable = std::none_of(reading.findings.begin() + static_cast<std::ptrdiff_t>(before),
-                                       reading.findings.end(), is_new_error);
-    for (std::size_t k = before; k < reading.findings.size(); ++k)
-        reading.findings[k].place.field = "extras.hanei.project." + reading.findings[k].place.field;
-    for (Diagnostic& finding : readable ? check_scene(reader.scene) : Diagnostics{}) {
-        if (finding.severity != Severity::error) continue;  // warnings come with the scene
-        finding.place = {reading.file, part->line, "extras.hanei.project." + finding.place.field, 0};
+    JsonReading its{reading.file, {}};
+    std::optional<Project> project;
+    if (part->find("format") == nullptr || is_readable_version(its, *part))
+        project = read_project_fields(its, *part, {});
+    if (project && !has_errors(its.findings))
+        for (Diagnostic& finding : check_scene(project->scene))
+            if (finding.severity == Severity::error) {  // warnings come with the scene
+                finding.place.file = reading.file;
+                finding.place.line = line_of(*part, finding.place.field);
+                its.findings.push_back(std::move(finding));
+            }
+    const bool sound = project && !has_errors(its.findings);
+    for (Diagnostic& finding : its.findings) {
+        finding.place.field = "extras.hanei.project" + (finding.place.field.empty() ? "" : '.' + finding.place.field);
         reading.findings.push_back(std::move(finding));
     }
-    return has_errors(reading.findings) ? std::nullopt : std::optional{std::move(reader.scene)};
+    return sound ? std::optional{std::move(project->scene)} : std::nullopt;
 }
 
 void place_own_luminaires(GltfDocument& document, const std::vector<GltfNode>& nodes, Scene& scene) {
-    std::map<ObjectId, const GltfNode*> node_of;
+    std::map<ObjectId, std::vector<const GltfNode*>> nodes_of;
     for (const GltfNode& node : nodes) {
         const GltfOwnNode own = own_node(document, node.number);
-        if (own.kind == "luminaire") node_of[own.luminaire] = &node;
+        if (own.kind == "luminaire" && own.id) nodes_of[own.id].push_back(&node);
     }
-    std::erase_if(scene.luminaires, [&](Luminaire& luminaire) {
-        const auto found = node_of.find(luminaire.id);
-        if (found == node_of.end()) return true;
-        const glm::dmat4& there = found->second->to_world;
-        const Vec3 x = upright(Vec3{there[0]}), z = upright(Vec3{there[2]});
-        const Placement placed = placement(luminaire);
-        const Vec3 position = upright(Vec3{there[3]});
-        if (!agree(luminaire.position, position)) luminaire.position = position;
-        const double size = glm::length(x) * glm::length(z);
-        if (!(glm::length(glm::cross(x, z)) > 1e-6 * size) || !(size > 0.0)) return false;  // no direction to take
-        const Vec3 c0 = glm::normalize(x), up = glm::normalize(z);
-        if (!agree(placed.direction({1.0, 0.0, 0.0}), c0) || !agree(placed.direction({0.0, 0.0, 1.0}), up))
-            aim(luminaire, -up, c0);
-        return false;
-    });
+    std::vector<Luminaire> copies;
+    std::vector<std::pair<ObjectId, std::string>> gone;
+    bool any_moved = false;
+    for (Luminaire& luminaire : scene.luminaires) {
+        std::vector<const GltfNode*>& its = nodes_of[luminaire.id];
+        if (its.empty()) {
+            gone.emplace_back(luminaire.id, luminaire.name);
+            continue;
+        }
+        std::stable_partition(its.begin(), its.end(), [&](const GltfNode* node) { return hangs_at(luminaire, *node); });
+        for (std::size_t k = 1; k < its.size(); ++k) {
+            Luminaire& copy = copies.emplace_back(luminaire);
+            copy.id = scene.new_id();
+            hang(copy, *its[k]);
+        }
+        any_moved = hang(luminaire, *its[0]) || any_moved;
+    }
+    std::move(copies.begin(), copies.end(), std::back_inserter(scene.luminaires));
+    std::vector<std::string> names;
+    for (const auto& [id, name] : gone) {
+        scene = removed(std::move(scene), id);
+        names.push_back(name);
+    }
+    tell_gone(document, names);
+    if (any_moved) scene = with_arrangements_kept(std::move(scene));
+}
+
+void tell_gone(GltfDocument& document, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    document.reading().warn(document.root(), "nodes",
+                            "no node shows " + names_of(names) + " any more; left out, with what refers to " +
+                                (names.size() == 1 ? "it" : "them"));
 }
 
 }  // namespace hanei

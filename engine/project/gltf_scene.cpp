@@ -22,25 +22,14 @@ Vec3 middle_of(const TriangleShell& shell) {
     return sum / static_cast<double>(shell.vertices.size());
 }
 
-/// Whether the meshes still show the room that was written.
-bool is_same_shape(const Room& a, const Room& b) {
-    constexpr double single_precision = 1e-5;  // m
-    if (a.plan.size() != b.plan.size()) return false;
-    if (std::abs(a.floor_height - b.floor_height) > single_precision) return false;
-    if (std::abs(a.height - b.height) > single_precision) return false;
-    return std::all_of(a.plan.begin(), a.plan.end(), [&](const Vec2& corner) {
-        return std::any_of(b.plan.begin(), b.plan.end(),
-                           [&](const Vec2& other) { return glm::distance(corner, other) <= single_precision; });
-    });
-}
-
 }  // namespace
 
 GltfScene::GltfScene(GltfDocument& document, GltfKind kind, std::optional<Scene> own)
     : document_(document), kind_(kind) {
     if (!own) return;
     scene_ = std::move(*own);
-    own_room_ = std::exchange(scene_.room, std::nullopt);
+    own_.emplace(document_, scene_,
+                 [this](int label) -> const GltfMaterial& { return materials_[static_cast<std::size_t>(label)]; });
 }
 
 ObjectId GltfScene::material_in_scene(Material material) {
@@ -52,12 +41,25 @@ ObjectId GltfScene::material_in_scene(Material material) {
     return scene_.materials.back().id;
 }
 
+/// The material that was written, in the colour it has in the file now; none when it is not that one.
+ObjectId GltfScene::own_material(const Material& material) {
+    const auto written = std::find_if(scene_.materials.begin(), scene_.materials.end(),
+                                      [&](const Material& known) { return own_ && known.id == material.id; });
+    if (!material.id || written == scene_.materials.end()) return {};
+    const bool same = written->reflectance == material.reflectance && written->tint == material.tint;
+    if (same || !repainted_.insert(written->id).second) return same ? written->id : ObjectId{};
+    written->reflectance = material.reflectance;
+    written->tint = material.tint;
+    return written->id;
+}
+
 int GltfScene::label_of(std::optional<std::size_t> material) {
     const auto [known, is_new] = labels_.try_emplace(material, static_cast<int>(materials_.size()));
     if (!is_new) return known->second;
     materials_.push_back(material ? read_gltf_material(document_, *material) : unstated_gltf_material());
     Material& reflecting = materials_.back().material;
-    reflecting.id = material_in_scene(reflecting);
+    const ObjectId written = own_material(reflecting);
+    reflecting.id = written ? written : material_in_scene(reflecting);
     return known->second;
 }
 
@@ -110,32 +112,40 @@ const TriangleShell* GltfScene::find_room(const std::vector<GltfObject>& objects
 }
 
 void GltfScene::add(const std::vector<GltfObject>& objects) {
+    std::vector<const GltfObject*> rest;
+    if (own_)
+        rest = own_->rest_of(objects);
+    else
+        for (const GltfObject& object : objects) rest.push_back(&object);
     room_ = find_room(objects);
-    for (const GltfObject& object : objects) {
-        GltfObject rest = object;
-        for (std::size_t m = 0; m < object.meshes.size(); ++m) {
-            rest.meshes[m].shells.clear();
-            for (const TriangleShell& shell : object.meshes[m].shells) {
-                if (&shell == room_)
-                    make_room(object, object.meshes[m], shell);
-                else
-                    rest.meshes[m].shells.push_back(shell);
-            }
+    for (const GltfObject* const object : rest) add_read(*object);
+    if (own_) own_->finish();
+}
+
+void GltfScene::add_read(const GltfObject& object) {
+    of_object_.clear();
+    GltfObject rest = object;
+    for (std::size_t m = 0; m < object.meshes.size(); ++m) {
+        rest.meshes[m].shells.clear();
+        for (const TriangleShell& shell : object.meshes[m].shells) {
+            if (&shell == room_)
+                make_room(object, object.meshes[m], shell);
+            else
+                rest.meshes[m].shells.push_back(shell);
         }
-        add_object(std::move(rest));
     }
+    add_object(std::move(rest));
+    group(object);
 }
 
 void GltfScene::make_room(const GltfObject& object, const MeshObject& mesh, const TriangleShell& shell) {
     std::optional<Room> room = room_of(shell, mesh, materials_);
-    if (room && own_room_ && object.own.kind == "room" && is_same_shape(*own_room_, *room)) {
-        scene_.room = std::move(own_room_);
-        return;
-    }
     if (room) {
-        room->id = scene_.new_id();
         tell(object, Severity::note,
              fmt::format("it is the room: a plan of {} corners, {:.4g} m high", room->plan.size(), room->height));
+        Room* const written = own_ ? own_->room_of(object) : nullptr;
+        room->id = written == nullptr ? scene_.new_id() : written->id;
+        if (written != nullptr) room->unknown = written->unknown;
         scene_.room = std::move(room);
         return;
     }
@@ -144,16 +154,37 @@ void GltfScene::make_room(const GltfObject& object, const MeshObject& mesh, cons
          fmt::format("it encloses the rest but is no plan extruded upright: its {} faces become surfaces that look "
                      "inward",
                      sheets.size()));
-    for (FreeSurface& sheet : sheets) add_sheet(std::move(sheet));
+    for (FreeSurface& sheet : sheets) add_sheet(object, std::move(sheet));
 }
 
-void GltfScene::add_sheet(FreeSurface sheet) {
+void GltfScene::add_sheet(const GltfObject& object, FreeSurface sheet) {
+    if (FreeSurface* const written = own_ ? own_->surface_of(object) : nullptr) {
+        sheet.id = written->id;
+        sheet.name = written->name;
+        sheet.unknown = written->unknown;
+        *written = std::move(sheet);
+        of_object_.push_back(written->id);
+        return;
+    }
     sheet.id = scene_.new_id();
+    of_object_.push_back(sheet.id);
     scene_.surfaces.push_back(std::move(sheet));
+}
+
+/// What came of one node stays together: in a group of its name, or in that the exporter's object is in.
+void GltfScene::group(const GltfObject& object) {
+    if (of_object_.size() < 2) return;
+    for (ObjectGroup& known : scene_.object_groups)
+        if (std::find(known.members.begin(), known.members.end(), of_object_[0]) != known.members.end()) {
+            known.members.insert(known.members.end(), of_object_.begin() + 1, of_object_.end());
+            return;
+        }
+    scene_.object_groups.push_back({scene_.new_id(), object.name, of_object_, {}});
 }
 
 void GltfScene::add_object(GltfObject object) {
     std::vector<MeshSolid> solids;
+    std::vector<FreeSurface> sheets;
     for (MeshObject& mesh : object.meshes) {
         const std::size_t around = std::erase_if(mesh.shells, [&](const TriangleShell& shell) {
             return room_ != nullptr && shell.closed && shell.volume > room_->volume &&
@@ -166,17 +197,14 @@ void GltfScene::add_object(GltfObject object) {
         for (const auto& [severity, sentence] : shapes.remarks)
             if (!own) tell(object, severity, sentence);
         std::move(shapes.solids.begin(), shapes.solids.end(), std::back_inserter(solids));
-        for (FreeSurface& sheet : shapes.sheets) {
-            if (object.own.kind == "surface") sheet.own_exitance = object.own.own_exitance;
-            add_sheet(std::move(sheet));
-        }
+        std::move(shapes.sheets.begin(), shapes.sheets.end(), std::back_inserter(sheets));
     }
     if (!solids.empty()) add_furniture(object, std::move(solids));
+    for (FreeSurface& sheet : sheets) add_sheet(object, std::move(sheet));
 }
 
 void GltfScene::add_furniture(const GltfObject& object, std::vector<MeshSolid> solids) {
     Furniture furniture;
-    furniture.id = scene_.new_id();
     furniture.name = object.name;
     furniture.rotation = tidy_angle(object.rotation);
     const Mat3 back = glm::transpose(placement(furniture).rotation);
@@ -194,7 +222,16 @@ void GltfScene::add_furniture(const GltfObject& object, std::vector<MeshSolid> s
         for (Vec3& vertex : solid.shape.vertices) vertex -= foot;
         furniture.parts.push_back(part_of(std::move(solid.shape), solid.material));
     }
-    scene_.furniture.push_back(std::move(furniture));
+    Furniture* const written = own_ ? own_->furniture_of(object) : nullptr;
+    furniture.id = written == nullptr ? scene_.new_id() : written->id;
+    of_object_.push_back(furniture.id);
+    if (written == nullptr) {
+        scene_.furniture.push_back(std::move(furniture));
+        return;
+    }
+    furniture.name = written->name;
+    furniture.unknown = written->unknown;
+    *written = std::move(furniture);
 }
 
 void GltfScene::finish(GltfImport& result) {

@@ -11,9 +11,8 @@
 #include <algorithm>
 
 namespace hanei {
-namespace {
 
-/// Refuses what is no project of this version; anything else said about such a file would mislead.
+/// Anything else said about a file of another version would mislead.
 bool is_readable_version(JsonReading& reading, const JsonValue& root) {
     const JsonValue* const format = root.find("format");
     if (format == nullptr || format->text != "hanei-project") {
@@ -36,6 +35,8 @@ bool is_readable_version(JsonReading& reading, const JsonValue& root) {
     }
     return number >= 1 && number <= project_version;
 }
+
+namespace {
 
 Project read_fields(JsonReading& reading, const JsonValue& root, const std::filesystem::path& folder) {
     Fields fields(reading, root, "");
@@ -65,6 +66,25 @@ Project read_fields(JsonReading& reading, const JsonValue& root, const std::file
     return project;
 }
 
+}  // namespace
+
+Project read_project_fields(JsonReading& reading, const JsonValue& root, const std::filesystem::path& folder) {
+    Project project = read_fields(reading, root, folder);
+    for (const RepairedWinding& repair : repair_windings(project.scene)) {
+        reading.findings.push_back(
+            about_file(Severity::warning, reading.file, line_of(root, repair.field), repair.field, repair.message));
+        reading.findings.back().place.object = repair.object.value;
+    }
+    for (Diagnostic& finding : settle_models(project.scene)) {
+        finding.place.file = reading.file;
+        finding.place.line = line_of(root, finding.place.field);
+        reading.findings.push_back(std::move(finding));
+    }
+    return project;
+}
+
+namespace {
+
 /// "luminaires[2]" of "luminaires[2].opening.outline", "room" of "room.plan"; sub-areas are objects
 /// of their own.
 std::string_view object_path(std::string_view field) {
@@ -86,11 +106,6 @@ void check_read_scene(JsonReading& reading, const JsonValue& root, const Scene& 
     }
 }
 
-bool is_finite(const JsonValue& value) {
-    const bool lost = value.is(JsonValue::Kind::null) && !value.text.empty();
-    return !lost && std::all_of(value.items.begin(), value.items.end(), is_finite);
-}
-
 }  // namespace
 
 ProjectRead read_project_text(std::string_view json, const std::filesystem::path& file) {
@@ -98,17 +113,7 @@ ProjectRead read_project_text(std::string_view json, const std::filesystem::path
     ProjectRead read;
     const std::optional<JsonValue> root = parse_json(json, reading.file, reading.findings);
     if (root.has_value() && is_readable_version(reading, *root)) {
-        Project project = read_fields(reading, *root, file.parent_path());
-        for (const RepairedWinding& repair : repair_windings(project.scene)) {
-            reading.findings.push_back(about_file(Severity::warning, reading.file, line_of(*root, repair.field),
-                                                  repair.field, repair.message));
-            reading.findings.back().place.object = repair.object.value;
-        }
-        for (Diagnostic& finding : settle_models(project.scene)) {
-            finding.place.file = reading.file;
-            finding.place.line = line_of(*root, finding.place.field);
-            reading.findings.push_back(std::move(finding));
-        }
+        Project project = read_project_fields(reading, *root, file.parent_path());
         check_read_scene(reading, *root, project.scene);
         read.project = std::move(project);
     }
@@ -128,9 +133,7 @@ std::string project_text(const Project& project) { return json_document(json_of(
 
 std::optional<Diagnostic> write_project(const Project& project, const std::filesystem::path& file) {
     const JsonValue root = json_of(project);
-    if (!is_finite(root))
-        return about_file(Severity::error, file.string(), 0, {},
-                          "the project holds a figure that is infinite or no number; correct it before saving");
+    if (auto fault = unwritable(root, file)) return fault;
     return write_text_file(file, json_document(root));
 }
 

@@ -37,9 +37,10 @@ ObjectId member_of(SceneReader& reader, const JsonValue& value, const std::strin
     } else if (value.is(JsonValue::Kind::text) && among.named.size() == 1) {
         return among.named.front();
     }
-    const char* const why = among.named.size() > 1 ? "several objects are named so; refer to one by its id"
-                                                   : "expected the id or name of a piece of furniture, a surface, a "
-                                                     "luminaire, a grid or a point";
+    const char* const why = value.is(JsonValue::Kind::text) && among.named.size() > 1
+                                ? "several objects are named so; refer to one by its id"
+                                : "expected the id or name of a piece of furniture, a surface, a "
+                                  "luminaire, a grid or a point";
     reader.reading.error(value, path, fmt::format("found {}, {}", described(value), why));
     return {};
 }

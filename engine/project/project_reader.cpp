@@ -7,14 +7,14 @@
 #include <limits>
 
 namespace hanei {
-namespace {
-
-constexpr double greatest_possible_id = std::numeric_limits<std::uint32_t>::max() - 1.0;
 
 bool is_id(const JsonValue& value) {
+    constexpr double greatest = std::numeric_limits<std::uint32_t>::max() - 1.0;
     return value.is(JsonValue::Kind::number) && value.number == std::floor(value.number) && value.number >= 1.0 &&
-           value.number <= greatest_possible_id;
+           value.number <= greatest;
 }
+
+namespace {
 
 std::uint32_t greatest_in(const JsonValue* object) {
     const JsonValue* const id = object == nullptr ? nullptr : object->find("id");

@@ -3,6 +3,7 @@
 
 #include "engine/plan/settings.h"
 #include "engine/project/json_fields.h"
+#include "engine/project/project_file.h"
 #include "engine/scene/scene.h"
 
 #include <cstdint>
@@ -26,6 +27,14 @@ struct SceneReader {
     ObjectId take_id(Fields& fields);
 };
 
+/// Whether this is a project and of no later version than this program; an error when not.
+bool is_readable_version(JsonReading& reading, const JsonValue& root);
+
+/// All parts, windings and furniture models put right; not yet held against check_scene.
+Project read_project_fields(JsonReading& reading, const JsonValue& root, const std::filesystem::path& folder);
+
+/// Whether the value can be an object's id.
+bool is_id(const JsonValue& value);
 /// The greatest id the file gives to an object, so that new ones start above it.
 std::uint32_t greatest_id(const JsonValue& root);
 

@@ -3,7 +3,9 @@
 #include "engine/project/project_reader.h"
 #include "engine/project/project_settings.h"
 #include "engine/project/project_writer.h"
+#include "engine/project/text_file.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hanei {
@@ -27,6 +29,21 @@ JsonValue json_of(const Vec3& vector) {
     JsonValue list = json_list();
     list.items = {json_number(vector.x), json_number(vector.y), json_number(vector.z)};
     return list;
+}
+
+namespace {
+
+bool is_finite(const JsonValue& value) {
+    const bool lost = value.is(JsonValue::Kind::null) && !value.text.empty();
+    return !lost && std::all_of(value.items.begin(), value.items.end(), is_finite);
+}
+
+}  // namespace
+
+std::optional<Diagnostic> unwritable(const JsonValue& root, const std::filesystem::path& file) {
+    if (is_finite(root)) return std::nullopt;
+    return about_file(Severity::error, file.string(), 0, {},
+                      "the project holds a figure that is infinite or no number; correct it before saving");
 }
 
 JsonValue json_object(ObjectId id, const std::string& name) {
@@ -131,15 +148,16 @@ JsonValue json_of(const Settings& settings) {
     return object;
 }
 
-JsonValue json_of(const Project& project) {
-    const Scene& scene = project.scene;
+namespace {
+
+JsonValue json_of_scene(const Scene& scene, const Settings* settings) {
     const References materials(scene.materials);
     JsonValue root = json_object();
     root.add("format", json_text("hanei-project"));
     root.add("version", json_number(project_version));
     if (!scene.title.empty()) root.add("title", json_text(scene.title));
     root.add("maintenance_factor", json_number(scene.maintenance_factor));
-    root.add("settings", json_of(project.settings));
+    if (settings != nullptr) root.add("settings", json_of(*settings));
     add_objects(root, "materials", scene.materials);
     if (scene.room.has_value()) root.add("room", json_of(*scene.room, materials));
     add_objects(root, "furniture", scene.furniture, materials);
@@ -158,5 +176,10 @@ JsonValue json_of(const Project& project) {
     add_unknown(root, scene.unknown);
     return root;
 }
+
+}  // namespace
+
+JsonValue json_of(const Project& project) { return json_of_scene(project.scene, &project.settings); }
+JsonValue scene_without_settings(const Scene& scene) { return json_of_scene(scene, nullptr); }
 
 }  // namespace hanei

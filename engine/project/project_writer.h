@@ -28,6 +28,7 @@ private:
 };
 
 JsonValue json_of(const Project& project);
+JsonValue scene_without_settings(const Scene& scene);  ///< a project file's content, but for what this version sets
 JsonValue json_of(const Photometry& photometry);
 JsonValue json_of(const Luminaire& luminaire, const References& photometries, const References& groups);
 JsonValue json_of(const ControlGroup& group);
@@ -56,6 +57,9 @@ JsonValue json_of(const std::vector<T>& values) {
     for (const T& value : values) list.items.push_back(json_of(value));
     return list;
 }
+
+/// Why the tree cannot be written to the file: it holds a figure that is infinite or no number.
+std::optional<Diagnostic> unwritable(const JsonValue& root, const std::filesystem::path& file);
 
 /// {"id": ..., "name": ...}, what every object begins with.
 JsonValue json_object(ObjectId id, const std::string& name);
