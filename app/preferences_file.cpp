@@ -1,5 +1,6 @@
 #include "app/preferences_file.h"
 
+#include "engine/base/whole_file.h"
 #include "engine/project/json_fields.h"
 #include "engine/project/json_text.h"
 #include "engine/project/text_file.h"
@@ -141,8 +142,8 @@ std::string preferences_text(const Preferences& preferences) {
 }
 
 std::optional<Diagnostic> write_preferences(const Preferences& preferences, const std::filesystem::path& file) {
-    std::error_code ignored;  // writing says what is wrong
-    std::filesystem::create_directories(file.parent_path(), ignored);
+    if (const auto reason = make_folder(file.parent_path()))
+        return about_file(Severity::error, file.string(), 0, {}, *reason);
     return write_text_file(file, preferences_text(preferences));
 }
 

@@ -91,9 +91,9 @@ RecoveryFolder::~RecoveryFolder() {
 
 std::optional<Diagnostic> RecoveryFolder::keep(const Scene& scene, const Settings& settings, const fs::path& original) {
     const fs::path file = folder_ / (name_ + ".work");
-    std::error_code failure;  // writing says what is wrong
+    std::error_code failure;
     if (own_lock_ < 0) {
-        fs::create_directories(folder_, failure);
+        if (const auto reason = make_folder(folder_)) return about_file(Severity::error, file.string(), 0, {}, *reason);
         fs::permissions(folder_, fs::perms::owner_all, failure);  // work is nobody else's business
         own_lock_ = take_lock(lock_of(file));
     }

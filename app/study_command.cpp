@@ -2,6 +2,7 @@
 #include "app/exit_code.h"
 #include "app/files.h"
 #include "app/reference_scene.h"
+#include "engine/base/whole_file.h"
 #include "engine/report/sweep_report.h"
 
 #include <cstdio>
@@ -60,7 +61,7 @@ int study_command(const SweepRequest& request) {
     request.change(swept->settings);
     const Sweep sweep =
         accuracy_sweep(swept->scene, swept->settings, swept->expected ? &*swept->expected : nullptr, Work{});
-    std::filesystem::create_directories(request.out);
+    if (const auto reason = make_folder(request.out)) throw std::runtime_error(request.out.string() + ": " + *reason);
     const std::string csv = sweep_csv(sweep);
     std::fputs(csv.c_str(), stdout);
     write_text(request.out / "accuracy-time.csv", csv);

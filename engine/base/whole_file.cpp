@@ -73,7 +73,7 @@ bool write_all(int file, std::string_view bytes) {
 }
 
 /// 0, or why the file could not be made.
-int write_new(const fs::path& file, std::string_view bytes, const struct stat* like) {
+int write_new(const fs::path& file, std::string_view bytes, const struct stat* like, bool lasts) {
     constexpr mode_t usual = 0666;  // less what the user's umask takes away
     OpenFile out(file, O_WRONLY | O_CREAT | O_TRUNC, usual);
     if (out.number() < 0) return errno;
@@ -82,13 +82,11 @@ int write_new(const fs::path& file, std::string_view bytes, const struct stat* l
         [[maybe_unused]] const int kept = ::fchown(out.number(), like->st_uid, like->st_gid);
         if (::fchmod(out.number(), like->st_mode & 07777) != 0) return errno;
     }
-    if (!write_all(out.number(), bytes) || ::fsync(out.number()) != 0 || !out.close()) return errno;
+    if (!write_all(out.number(), bytes) || (lasts && ::fsync(out.number()) != 0) || !out.close()) return errno;
     return 0;
 }
 
-}  // namespace
-
-std::optional<std::string> write_whole_file(const fs::path& named, std::string_view bytes) {
+std::optional<std::string> replace(const fs::path& named, std::string_view bytes, bool lasts) {
     const fs::path file = end_of_links(named);
     struct stat before {};
     const bool exists = ::stat(file.c_str(), &before) == 0;
@@ -96,7 +94,7 @@ std::optional<std::string> write_whole_file(const fs::path& named, std::string_v
     fs::path beside = file;
     beside += ".part" + std::to_string(::getpid());
     std::error_code ignored;
-    if (const int reason = write_new(beside, bytes, exists ? &before : nullptr)) {
+    if (const int reason = write_new(beside, bytes, exists ? &before : nullptr, lasts)) {
         fs::remove(beside, ignored);
         return sentence_of(reason);
     }
@@ -105,11 +103,31 @@ std::optional<std::string> write_whole_file(const fs::path& named, std::string_v
         fs::remove(beside, ignored);
         return sentence_of(reason);
     }
+    if (!lasts) return std::nullopt;
     // The new name itself is kept only when the folder is; some file systems cannot say.
     const fs::path folder = file.parent_path();
     const OpenFile names(folder.empty() ? fs::path(".") : folder, O_RDONLY | O_DIRECTORY);
     if (names.number() >= 0) ::fsync(names.number());
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> write_whole_file(const fs::path& file, std::string_view bytes) {
+    return replace(file, bytes, true);
+}
+
+std::optional<std::string> write_passing_file(const fs::path& file, std::string_view bytes) {
+    return replace(file, bytes, false);
+}
+
+std::optional<std::string> make_folder(const fs::path& folder) {
+    std::error_code reason;
+    fs::create_directories(folder, reason);
+    if (!reason || fs::is_directory(folder)) return std::nullopt;
+    if (reason == std::errc::not_a_directory || reason == std::errc::file_exists)
+        return "there is a file where a folder is needed; choose another place";
+    return sentence_of(reason.value());
 }
 
 }  // namespace hanei

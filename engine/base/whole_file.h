@@ -15,4 +15,10 @@ namespace hanei {
 /// Cost      two waits for the disk: milliseconds on flash, more on a busy or turning disk.
 std::optional<std::string> write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// The same for what only tells others of the present moment: it does not wait for the disk.
+std::optional<std::string> write_passing_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// The folder with all above it, where it is not there yet. Returns as write_whole_file().
+std::optional<std::string> make_folder(const std::filesystem::path& folder);
+
 }  // namespace hanei

@@ -25,6 +25,8 @@ ObjectIds materials_of(const Scene& scene) {
     for (const Furniture& furniture : scene.furniture)
         for (const Part& part : furniture.parts) used.push_back(part.material);
     for (const FreeSurface& surface : scene.surfaces) used.push_back(surface.material);
+    if (scene.room)
+        for (const SubArea& area : scene.room->sub_areas) used.push_back(area.material);
     return used;
 }
 
@@ -96,10 +98,21 @@ public:
         });
     }
 
+    void sub_areas(const Scene& from, const Vec3& by, const std::optional<FacePlace>& at) {
+        if (!from.room) return;
+        for (SubArea area : from.room->sub_areas) {
+            area.material = ids_[area.material];
+            Added added = with_sub_area_pasted(std::move(scene_), std::move(area), by, at);
+            scene_ = std::move(added.scene);
+            if (added.object) sub_areas_.push_back(added.object);
+        }
+    }
+
     AddedSeveral done(const Vec3& by) {
         std::erase_if(added_, [&](ObjectId id) { return holds(grouped_, id) || arrangement_is(id); });
         AddedSeveral all{std::move(scene_), std::move(added_)};
         all.scene = moved(std::move(all.scene), all.objects, by);
+        all.objects.insert(all.objects.end(), sub_areas_.begin(), sub_areas_.end());
         return all;
     }
 
@@ -132,7 +145,7 @@ private:
 
     Scene scene_;
     std::map<ObjectId, ObjectId> ids_{{ObjectId{}, ObjectId{}}};
-    ObjectIds added_, grouped_;
+    ObjectIds added_, grouped_, sub_areas_;
 };
 
 }  // namespace
@@ -162,7 +175,18 @@ Scene excerpt(const Scene& scene, std::span<const ObjectId> chosen) {
     copy_chosen(scene.grids, alone.grids, objects);
     copy_chosen(scene.points, alone.points, objects);
     copy_chosen(scene.views, alone.views, objects);
-    copy_chosen(scene.materials, alone.materials, materials_of(alone));
+    ObjectIds materials = materials_of(alone);
+    if (scene.room) {
+        Room room = *scene.room;
+        room.sub_areas.clear();
+        copy_chosen(scene.room->sub_areas, room.sub_areas, objects);
+        if (!room.sub_areas.empty()) {
+            for (int face = 0; face < face_count(room); ++face) materials.push_back(material_of_face(room, face));
+            for (const SubArea& area : room.sub_areas) materials.push_back(area.material);
+            alone.room = std::move(room);
+        }
+    }
+    copy_chosen(scene.materials, alone.materials, materials);
     for (const Photometry& photometry : scene.photometries)
         if (users_of(alone, photometry.id) > 0) alone.photometries.push_back(photometry);
     ObjectIds control_groups;
@@ -175,10 +199,11 @@ Scene excerpt(const Scene& scene, std::span<const ObjectId> chosen) {
     return alone;
 }
 
-AddedSeveral with_excerpt(Scene scene, const Scene& excerpt, const Vec3& by) {
+AddedSeveral with_excerpt(Scene scene, const Scene& excerpt, const Vec3& by, const std::optional<FacePlace>& at) {
     Joining joining(std::move(scene));
     joining.needs(excerpt);
     joining.objects(excerpt);
+    joining.sub_areas(excerpt, by, at);
     return joining.done(by);
 }
 
@@ -186,7 +211,8 @@ AddedSeveral duplicated(Scene scene, std::span<const ObjectId> chosen) {
     const std::optional<Bounds> bounds = bounds_of_objects(scene, chosen);
     constexpr double narrowest = 0.1;  // m: a copy that lies on its original is taken for none
     const double width = bounds ? bounds->high.x - bounds->low.x : 0.0;
-    const Scene alone = excerpt(scene, chosen);
+    Scene alone = excerpt(scene, chosen);
+    alone.room.reset();  // parts of faces are copied beside themselves
     AddedSeveral copies = with_excerpt(std::move(scene), alone, {width > narrowest ? width : 1.0, 0.0, 0.0});
     for (const ObjectId id : chosen) {
         if (find_sub_area(copies.scene, id) == nullptr) continue;

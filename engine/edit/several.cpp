@@ -170,7 +170,8 @@ ObjectIds all_objects(const Scene& scene) {
 }
 
 std::optional<Bounds> bounds_of_objects(const Scene& scene, std::span<const ObjectId> chosen) {
-    const Scene alone = excerpt(scene, chosen);
+    Scene alone = excerpt(scene, chosen);
+    alone.room.reset();
     std::optional<Bounds> bounds;
     if (!alone.furniture.empty() || !alone.surfaces.empty() || !alone.luminaires.empty()) bounds = bounds_of(alone);
     const auto add = [&](const Vec3& at) {

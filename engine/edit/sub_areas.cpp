@@ -167,6 +167,28 @@ Scene with_sub_area_moved(Scene scene, ObjectId id, const Vec3& by) {
     return scene;
 }
 
+Added with_sub_area_pasted(Scene scene, SubArea area, const Vec3& by, const std::optional<FacePlace>& at) {
+    if (!scene.room) return {std::move(scene), {}};
+    const auto is_level = [](int face) { return face < Room::wall_face(0); };
+    const bool goes_there = at && is_level(at->face) == is_level(area.face);
+    if (goes_there) area.face = at->face;
+    if (area.face >= face_count(*scene.room)) area.face = Room::wall_face(0);
+    const RoomFace face = *room_face(*scene.room, area.face);
+    Vec2 middle = 0.5 * (area.low + area.high) + Vec2{glm::dot(by, face.right), glm::dot(by, face.up)};
+    if (goes_there) middle = {at->at.x, is_level(area.face) ? at->at.y : middle.y};
+    const double half = 0.5 * (area.high.y - area.low.y);
+    area.low.y = neat(middle.y - half);
+    area.high.y = neat(middle.y + half);
+    area.id = {};
+    put_free(area, *scene.room, face, middle.x);
+    if (!fit_into_face(area, *scene.room)) return {std::move(scene), {}};
+    const std::string label = area.name.substr(0, area.name.find_last_not_of("0123456789 ") + 1);
+    area.name = numbered_name(*scene.room, label.empty() ? "Area" : label);
+    area.id = scene.new_id();
+    const ObjectId added = add_to(*scene.room, std::move(area));
+    return {std::move(scene), added};
+}
+
 Added with_sub_area_copied(Scene scene, ObjectId id) {
     const SubArea* const area = find_sub_area(scene, id);
     const std::optional<RoomFace> face = area == nullptr ? std::nullopt : room_face(*scene.room, area->face);

@@ -37,6 +37,14 @@ Scene with_sub_area_moved(Scene scene, ObjectId id, const Vec3& by);
 /// A copy beside it on the same face, where there is room.
 Added with_sub_area_copied(Scene scene, ObjectId id);
 
+/// A sub-area of another room, or of this one, put on the face of the same number: shifted by `by` along it,
+/// or with its middle at `at` where that is another wall (floor or ceiling for one that lies there); then as
+/// near to there as it covers no other. On the first wall when the room has no such face.
+///
+/// Needs     a material of the scene.
+/// Returns   no object without a room, or when the face is too small.
+Added with_sub_area_pasted(Scene scene, SubArea area, const Vec3& by, const std::optional<FacePlace>& at);
+
 /// Brought within its face: moved, then made smaller. Nothing of it stays of a face narrower than 0.05 m.
 ///
 /// Returns   false when nothing stays.

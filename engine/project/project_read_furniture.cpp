@@ -121,13 +121,14 @@ void read_calculation(SceneReader& reader, Fields& root) {
 
 namespace {
 
-std::optional<Cut> read_cut(Fields& root) {
+std::optional<Cut> read_cut(Fields& root, JsonValue& kept) {
     const JsonValue* const value = root.take("cut");
     if (value == nullptr) return std::nullopt;
     Fields fields(root.reading(), *value, root.path_of("cut"));
     Cut cut;
     fields.require("normal", cut.normal, "three numbers [x, y, z], towards what is left out");
     fields.require("offset", cut.offset, "a number in metres along the normal");
+    keep_unknown(fields, "cut", kept);
     return cut;
 }
 
@@ -143,8 +144,9 @@ void read_views(SceneReader& reader, Fields& root) {
         fields.optional_angle("field_of_view_deg", view.field_of_view);
         fields.optional("orthographic", view.orthographic);
         fields.optional("hides_ceiling", view.hides_ceiling);
-        view.cut = read_cut(fields);
-        view.unknown = fields.unknown();
+        JsonValue kept = json_object();
+        view.cut = read_cut(fields, kept);
+        view.unknown = unknown_of(fields, std::move(kept));
         reader.scene.views.push_back(std::move(view));
     });
 }

@@ -76,6 +76,13 @@ void merge(JsonValue& object, JsonValue extra) {
     }
 }
 
+void remove(JsonValue& object, std::string_view key) {
+    const auto found = std::find(object.keys.begin(), object.keys.end(), key);
+    if (found == object.keys.end()) return;
+    object.items.erase(object.items.begin() + (found - object.keys.begin()));
+    object.keys.erase(found);
+}
+
 template <class Objects, class... Context>
 void add_objects(JsonValue& root, std::string_view key, const Objects& objects, const Context&... context) {
     if (objects.empty()) return;
@@ -134,6 +141,7 @@ JsonValue json_of(const View& view) {
         object.add("cut", std::move(cut));
     }
     add_unknown(object, view.unknown);
+    if (!view.cut) remove(object, "cut");  // what is unknown of a cut goes with it
     return object;
 }
 

@@ -7,6 +7,7 @@ namespace hanei {
 namespace {
 
 constexpr std::chrono::seconds least_pause{1};
+constexpr std::chrono::seconds pause_after_fault{5};
 constexpr int pause_over_work = 9;  // keeping takes a tenth of the time at most
 
 }  // namespace
@@ -19,7 +20,7 @@ Autosave::~Autosave() {
     if (!thread_.joinable()) return;
     thread_.request_stop();
     thread_.join();
-    if (waiting_) keep(*waiting_);
+    if (waiting_) keep(*std::exchange(waiting_, std::nullopt));
 }
 
 void Autosave::follow(const Document& document, double interval_seconds) {
@@ -82,7 +83,8 @@ void Autosave::run(const std::stop_token& stop) {
         }
         const bool in_step = waiting_->in_step;
         const Clock::duration pause =
-            in_step ? interval_ : std::max<Clock::duration>(least_pause, pause_over_work * took_);
+            refused_.empty() ? (in_step ? interval_ : std::max<Clock::duration>(least_pause, pause_over_work * took_))
+                             : pause_after_fault;
         const bool other = told_.wait_until(lock, stop, last_kept_ + pause,
                                             [&] { return forgets_ || !waiting_ || waiting_->in_step != in_step; });
         if (stop.stop_requested()) return;
@@ -102,10 +104,13 @@ void Autosave::keep(const Work& work) {
         const std::scoped_lock lock(guard_);
         last_kept_ = Clock::now();
         took_ = last_kept_ - begun;
-        if (fault)
-            fault_ = fault;
-        else
+        if (fault) {
+            if (fault->message != refused_) fault_ = fault;
+            if (!waiting_ && !forgets_) waiting_ = work;
+        } else {
             taken_over.swap(taken_over_);
+        }
+        refused_ = fault ? fault->message : std::string();
     }
     for (const LostWork& other : taken_over) door_.discard(other);
     if (fault) wake_();

@@ -12,7 +12,8 @@ namespace hanei {
 
 /// Work is kept after every step, a second after the one before at the earliest, and never for more than
 /// a tenth of the time; during a step at least once an interval. A thread of its own turns it into text
-/// and waits for the disk. What is saved is forgotten. Every member is for the UI thread.
+/// and waits for the disk; where that refuses it is tried again. What is saved is forgotten. Every member is for the UI
+/// thread.
 ///
 /// Weak when the power fails within that second: then the step before is what is left.
 /// Cost      two comparisons a frame; a lock and three pointers when something changed.
@@ -32,7 +33,7 @@ public:
     /// Work that was taken over from another window is discarded there as soon as it is kept here.
     void take_over(LostWork work);
 
-    std::optional<Diagnostic> take_fault();  ///< why work could not be kept, once
+    std::optional<Diagnostic> take_fault();  ///< why work could not be kept, once a reason
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -59,6 +60,7 @@ private:
     Clock::duration took_{};
     std::vector<LostWork> taken_over_;
     std::optional<Diagnostic> fault_;
+    std::string refused_;  ///< why work could not be kept the last time; empty when it could
     std::jthread thread_;  ///< last: it ends before what it uses
 };
 

@@ -10,19 +10,19 @@
 
 namespace hanei {
 
-void FrameRecording::start(const std::filesystem::path& where, const std::string& name) {
+std::optional<std::string> FrameRecording::start(const std::filesystem::path& where, const std::string& name) {
     stop();
     const std::time_t seconds = std::time(nullptr);
     std::tm local{};
     localtime_r(&seconds, &local);
     folder_ = where / fmt::format("{} recording {:%Y-%m-%d %H-%M-%S}", name, local);
-    std::error_code ignored;  // writing says what is wrong
-    std::filesystem::create_directories(folder_, ignored);
+    if (const auto reason = make_folder(folder_)) return folder_.string() + ": " + *reason;
     begun_ = std::chrono::steady_clock::now();
     taken_ = left_out_ = 0;
     index_ = "frame,file,seconds,shows\n";
     fault_.clear();
     writing_ = std::jthread([this](const std::stop_token& wish) { run(wish); });
+    return std::nullopt;
 }
 
 void FrameRecording::stop() {

@@ -24,15 +24,15 @@ class FrameRecording {
 public:
     ~FrameRecording() { stop(); }
 
-    /// Into a new folder "NAME recording 2026-11-22 15-04-05" there.
-    void start(const std::filesystem::path& where, const std::string& name);
+    /// Into a new folder "NAME recording 2026-11-22 15-04-05" there. Returns why it cannot be, or nothing.
+    std::optional<std::string> start(const std::filesystem::path& where, const std::string& name);
     void stop();  ///< what waits is written first, in the background no more: seconds at most
     bool is_on() const { return writing_.joinable(); }
     std::size_t taken() const { return taken_; }
     const std::filesystem::path& folder() const { return folder_; }
 
     void take(Image picture, std::string what);
-    std::string take_fault();  ///< why pictures could not be written, once; the recording is over then
+    std::string take_fault();  ///< why pictures or their index could not be written, once; the recording is over then
 
 private:
     struct Frame {

@@ -33,10 +33,22 @@ bool dialog_button(const char* label, const char* name, bool possible, WidgetReg
 }  // namespace
 
 void StartLayoutDialog::open(ObjectId luminaire) {
+    if (luminaire != luminaire_) is_other_ = true;
     luminaire_ = luminaire;
-    wish_.columns.reset();
-    wish_.rows.reset();
     open_ = opening_ = true;
+}
+
+/// A field that was laid out here comes back with the figures it was made from, and so does a luminaire that
+/// was asked about last; columns and rows by hand are nobody else's.
+void StartLayoutDialog::recall(const Scene& scene) {
+    const Arrangement* const field = arrangement_of(scene, luminaire_);
+    if (made_ && field && field->id == made_->arrangement) {
+        if (is_other_) wish_ = made_->wish;
+    } else if (is_other_) {
+        wish_.columns.reset();
+        wish_.rows.reset();
+    }
+    is_other_ = false;
 }
 
 /// One luminaire of each kind of light in the scene.
@@ -135,6 +147,7 @@ std::optional<Added> StartLayoutDialog::draw(const Scene& scene, Form& form) {
     if (opening_) {
         ImGui::OpenPopup(label.c_str());
         if (!find_luminaire(scene, luminaire_) && !scene.luminaires.empty()) luminaire_ = scene.luminaires.front().id;
+        recall(scene);
         answer_anew(scene);
     }
     opening_ = false;

@@ -32,12 +32,14 @@ private:
     bool rows(const Scene& scene, Form& form);
     void figures(const Scene& scene, Form& form) const;
     void answer_anew(const Scene& scene);
+    void recall(const Scene& scene);
     std::vector<ObjectId> offered(const Scene& scene) const;
 
     LumenWish wish_;
     LumenAnswer answer_;
     ObjectId luminaire_;
     bool open_ = false, opening_ = false;
+    bool is_other_ = false;  ///< than the luminaire of the last time
 
     /// What was hung last.
     struct Made {

@@ -83,18 +83,21 @@ void Workbench::ask_for_values() {
         {"Export the values of grids and points", "Export", {".csv"}, true, folder(), document_.title() + ".csv"},
         [this, solution = study_.answer()](const std::filesystem::path& file) {
             if (const auto reason = write_whole_file(file, values_csv(*solution)))
-                 return tell("Export", error_of(file.string() + ": " + *reason));
-             message_ = say("Exported {}", file.filename().string());
+                return tell("Export", error_of(file.string() + ": " + *reason));
+            message_ = say("Exported {}", file.filename().string());
         });
 }
 
 void Workbench::toggle_recording() {
     if (recording_.is_on()) {
         recording_.stop();
+        if (const std::string fault = recording_.take_fault(); !fault.empty())
+            return tell("Recording", error_of(fault));
         message_ = fmt::format("Recorded {} pictures in {}", recording_.taken(), recording_.folder().string());
     } else {
         std::error_code failure;
-        recording_.start(folder().empty() ? std::filesystem::current_path(failure) : folder(), document_.title());
+        const auto where = folder().empty() ? std::filesystem::current_path(failure) : folder();
+        if (const auto reason = recording_.start(where, document_.title())) return tell("Recording", error_of(*reason));
         recorded_scene_.reset();
         recorded_solution_.reset();
         message_ = "Recording: drag something, or let it compute";

@@ -63,9 +63,8 @@ void Workbench::export_model() {
                       const SolutionSnapshot solution = study_.solution();
                       if (!solution) return;
                       if (const auto fault = door_.export_model(*solution, viewport_.state.options, file))
-                          dialogs_.show_findings("The model was not written", {*fault});
-                      else
-                          message_ = say("Exported {}", file.filename().string());
+                          return tell("Export", *fault);
+                      message_ = say("Exported {}", file.filename().string());
                   });
 }
 

@@ -33,23 +33,33 @@ void Workbench::copy_chosen() {
 void Workbench::paste() {
     const char* const text = ImGui::GetClipboardText();
     const Opened<ProjectContent> found = door_.read_text(text != nullptr ? text : "");
-    const ObjectIds all = found.content ? all_objects(found.content->scene) : ObjectIds{};
+    ObjectIds all = found.content ? all_objects(found.content->scene) : ObjectIds{};
+    if (found.content && found.content->scene.room)
+        for (const SubArea& area : found.content->scene.room->sub_areas) all.push_back(area.id);
     if (all.empty()) {
         const std::string why = found.findings.empty() ? std::string() : ": " + found.findings.front().message;
         message_ = tr("The clipboard holds no objects of a project") + why;
         return;
     }
     const Scene& scene = *document_.shown();
-    const Bounds bounds = *bounds_of_objects(found.content->scene, all);
-    Vec3 by{bounds.high.x - bounds.low.x + 0.1, 0.0, 0.0};
+    const std::optional<Bounds> bounds = bounds_of_objects(found.content->scene, all);
+    Vec3 by{bounds ? bounds->high.x - bounds->low.x + 0.1 : 0.0, 0.0, 0.0};
+    std::optional<FacePlace> face;
     const Viewport::Pointed pointed = viewport_.pointed(scene, menu_at_.value_or(ImGui::GetIO().MousePos));
-    if (pointed.ray) {
+    if (pointed.ray && bounds) {
         const Vec2 place = place_in_plan(scene, pointed.ray, raster());
-        by = {place.x - 0.5 * (bounds.low.x + bounds.high.x), place.y - 0.5 * (bounds.low.y + bounds.high.y), 0.0};
+        by = {place.x - 0.5 * (bounds->low.x + bounds->high.x), place.y - 0.5 * (bounds->low.y + bounds->high.y), 0.0};
         for (int axis = 0; axis < 2; ++axis) by[axis] = snapped(by[axis], raster());
+    } else if (pointed.ray && scene.room && all.size() == 1) {
+        face = face_under(*scene.room, pointed.ray->origin, pointed.ray->direction);
     }
     const std::string words = words_for(found.content->scene, all);
-    add(with_excerpt(scene, excerpt(found.content->scene, all), by), "Paste " + words);
+    AddedSeveral pasted = with_excerpt(scene, excerpt(found.content->scene, all), by, face);
+    if (pasted.objects.empty()) {
+        message_ = tr("There is no room here for what was copied");
+        return;
+    }
+    add(std::move(pasted), "Paste " + words);
     message_ = say("Pasted {}", phrase(words));
 }
 

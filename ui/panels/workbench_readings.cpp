@@ -1,9 +1,9 @@
+#include "engine/base/whole_file.h"
 #include "engine/report/profile_report.h"
 #include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/workbench.h"
 
-#include <fstream>
 #include <imgui.h>
 #include <utility>
 
@@ -65,14 +65,12 @@ void Workbench::profile_tab() {
     if (!outcome.exports) return;
     browser_.open({"Export the profile", "Export", {".csv"}, true, folder(), document_.title() + " profile.csv"},
                   [this, csv = profile_csv(*readings_.profile.sampler())](const std::filesystem::path& file) {
-                      std::ofstream stream(file, std::ios::binary);
-                      stream << csv;
-                      stream.close();
-                      if (stream)
-                          message_ = say("Exported {}", file.filename().string());
-                      else
-                          dialogs_.show_findings("The profile was not written",
-                                                 {{Severity::error, {}, say("{} cannot be written", file.string())}});
+                      if (const auto reason = write_whole_file(file, csv)) {
+                          Diagnostic fault;
+                          fault.message = file.string() + ": " + *reason;
+                          return tell("Export", fault);
+                      }
+                      message_ = say("Exported {}", file.filename().string());
                   });
 }
 

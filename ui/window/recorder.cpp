@@ -1,5 +1,7 @@
 #include "ui/window/recorder.h"
 
+#include "engine/base/whole_file.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -34,8 +36,7 @@ void Recorder::note(double frame_seconds, const LiveStudy& study, Image picture)
 }
 
 void Recorder::write() const {
-    std::error_code ignored;  // write_png says what is wrong
-    std::filesystem::create_directories(folder_, ignored);
+    if (const auto reason = make_folder(folder_)) throw std::runtime_error(folder_.string() + ": " + *reason);
     for (const Shot& shot : shots_)
         write_png(shot.image, folder_ / fmt::format("frame-{:05}-{:07.3f}s.png", shot.frame, shot.seconds));
 }

@@ -1,5 +1,6 @@
 #include "ui/window/window.h"
 
+#include "engine/base/whole_file.h"
 #include "ui/panels/state_text.h"
 
 #include <glad/gl.h>
@@ -7,7 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <array>
 #include <chrono>
-#include <fstream>
+#include <cstdio>
 #include <imgui.h>
 #include <memory>
 #include <stdexcept>
@@ -140,11 +141,11 @@ private:
     int shown_ = ImGuiMouseCursor_Arrow;
 };
 
-void write_state(const Workbench& workbench, const std::filesystem::path& file) {
-    std::filesystem::path beside = file;
-    beside += ".new";
-    std::ofstream(beside, std::ios::binary) << state_json(workbench);
-    std::filesystem::rename(beside, file);
+/// Who waits for it is told once why it does not come, and again after it did.
+void write_state(const Workbench& workbench, const std::filesystem::path& file, std::string& told) {
+    const std::string reason = write_passing_file(file, state_json(workbench)).value_or("");
+    if (reason != told && !reason.empty()) std::fprintf(stderr, "%s: %s\n", file.c_str(), reason.c_str());
+    told = reason;
 }
 
 void wait_for_events(Reach& reach) {
@@ -174,7 +175,7 @@ void run_window(WindowRequest request) {
     connect(window.get());
     share_clipboard(window.get());
     Cursors cursors;
-    std::string title;
+    std::string title, state_fault;
     Clock::time_point last = Clock::now();
     while (!desk.workbench().wants_to_quit()) {
         wait_for_events(reach);
@@ -190,7 +191,7 @@ void run_window(WindowRequest request) {
         cursors.show(window.get());
         if (const std::string wished = desk.workbench().title(); wished != title)
             glfwSetWindowTitle(window.get(), (title = wished).c_str());
-        if (request.state_file) write_state(desk.workbench(), *request.state_file);
+        if (request.state_file) write_state(desk.workbench(), *request.state_file, state_fault);
     }
 }
 

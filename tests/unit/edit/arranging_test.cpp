@@ -240,5 +240,30 @@ TEST(ASubArea, is_moved_copied_and_deleted_as_other_objects_are) {
     EXPECT_EQ(object_named(copy.scene, "Door 2"), copy.objects[0]);
 }
 
+TEST(ASubArea, is_copied_to_another_room_with_its_material) {
+    const Added door = with_sub_area(hall(), *find_sub_area_kind("door"), Room::wall_face(1));
+    const Scene alone = excerpt(door.scene, std::array{door.object});
+    expect_sound(alone);
+    ASSERT_TRUE(alone.room);
+    EXPECT_EQ(alone.room->sub_areas.size(), 1U);
+    const AddedSeveral pasted = with_excerpt(empty_room(), alone, Vec3{0.0});
+    ASSERT_EQ(pasted.objects.size(), 1U);
+    expect_sound(pasted.scene);
+    const SubArea& copy = pasted.scene.room->sub_areas.front();
+    EXPECT_EQ(copy.face, Room::wall_face(1));
+    EXPECT_EQ(copy.low.y, 0.0);
+    EXPECT_EQ(display_name(pasted.scene, copy.material), "Door");
+    EXPECT_EQ(pasted.scene.furniture.size(), empty_room().furniture.size());
+    const AddedSeveral elsewhere =
+        with_excerpt(empty_room(), alone, Vec3{0.0}, FacePlace{Room::wall_face(2), {2.0, 1.0}, 0.0});
+    const SubArea& there = elsewhere.scene.room->sub_areas.front();
+    EXPECT_EQ(there.face, Room::wall_face(2));
+    EXPECT_NEAR(0.5 * (there.low.x + there.high.x), 2.0, rounding);
+    EXPECT_EQ(there.low.y, 0.0) << "doors stay on the floor";
+    Scene no_room = empty_room();
+    no_room.room.reset();
+    EXPECT_TRUE(with_excerpt(no_room, alone, Vec3{0.0}).objects.empty());
+}
+
 }  // namespace
 }  // namespace hanei

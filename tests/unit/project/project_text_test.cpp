@@ -188,5 +188,17 @@ TEST(ProjectText, an_inside_out_solid_is_turned_round) {
               (std::vector<int>{0, 2, 1}));
 }
 
+TEST(ProjectText, unknown_fields_of_a_cut_go_back_into_the_cut_and_go_with_it) {
+    const std::string text =
+        R"({"format": "hanei-project", "version": 1, "views": [{"eye": [0, 0, 1], "target": [1, 0, 1],
+            "cut": {"normal": [0, 0, 1], "offset": 2, "hatch": "brick"}}]})";
+    ProjectRead read = read_project_text(text, "p");
+    ASSERT_TRUE(read.project);
+    EXPECT_NE(project_text(*read.project).find(R"("offset": 2, "hatch": "brick"})"), std::string::npos)
+        << project_text(*read.project);
+    read.project->scene.views.front().cut.reset();
+    EXPECT_EQ(project_text(*read.project).find("cut"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hanei
