@@ -86,16 +86,16 @@ Opened<ModelContent> model_of(const std::filesystem::path& file, const ModelRead
     GltfImport import = import_gltf(file, wanted);
     Opened<ModelContent> opened{{}, std::move(import.findings)};
     if (import.scene)
-        opened.content =
-            ModelContent{std::move(*import.scene), import.size, import.solids, import.sheets, import.luminaires};
+        opened.content = ModelContent{std::move(*import.scene), import.size,    import.solids, import.sheets,
+                                      import.luminaires,        import.settings};
     return opened;
 }
 
 std::optional<Diagnostic> export_model(const Solution& solution, const ViewOptions& look,
                                        const std::filesystem::path& file) {
-    if (!solution.display) return write_gltf(*solution.scene, nullptr, file);
+    if (!solution.display) return write_gltf({*solution.scene, solution.settings}, nullptr, file);
     const LitPicture picture = lit_picture(solution, look);
-    return write_gltf(*solution.scene, &picture, file);
+    return write_gltf({*solution.scene, solution.settings}, &picture, file);
 }
 
 }  // namespace

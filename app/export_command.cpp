@@ -30,12 +30,13 @@ int export_command(const ExportRequest& request) {
     }
     auto project = open_project(request.project);
     if (!project) return exit_bad_input;
-    request.change(project->settings);
-    const auto scene = std::make_shared<const Scene>(std::move(project->scene));
+    const auto scene = std::make_shared<const Scene>(project->scene);
+    Settings settings = project->settings;
+    request.change(settings);
     std::optional<LitPicture> picture;
     if (request.colours != "none") {
         Interrupt interrupt;
-        const SolutionSnapshot solution = solved(scene, project->settings, interrupt.token());
+        const SolutionSnapshot solution = solved(scene, settings, interrupt.token());
         if (!solution) {
             interrupt.pass_on();
             return exit_machine;
@@ -52,7 +53,7 @@ int export_command(const ExportRequest& request) {
         }
         picture = lit_picture(*solution, look);
     }
-    if (const auto fault = write_gltf(*scene, picture ? &*picture : nullptr, request.out)) {
+    if (const auto fault = write_gltf(*project, picture ? &*picture : nullptr, request.out)) {
         print_findings({*fault});
         return exit_machine;
     }

@@ -58,6 +58,7 @@ int import_command(const ImportRequest& request) {
         project->scene = joined(std::move(project->scene), *import.scene);
     } else {
         project->scene = *import.scene;
+        project->settings = import.settings.value_or(Settings{});
         if (project->scene.title.empty()) project->scene.title = request.file.stem().string();
     }
     print_findings(check_scene(project->scene));

@@ -3,6 +3,7 @@
 #include "engine/project/gltf_export_light.h"
 #include "engine/project/gltf_pieces.h"
 #include "engine/project/gltf_writer.h"
+#include "engine/project/ies_profile.h"
 #include "engine/project/project_writer.h"
 #include "engine/project/text_file.h"
 #include "engine/scene/colour.h"
@@ -42,7 +43,7 @@ JsonValue own_kind(const char* kind, ObjectId id) {
 
 class Export {
 public:
-    explicit Export(const Scene& scene) : scene_(scene), writer_("Hanei") {}
+    explicit Export(const Project& project) : project_(project), scene_(project.scene), writer_("Hanei") {}
 
     std::string file(const LitPicture* picture, bool binary) {
         add_room();
@@ -57,16 +58,10 @@ public:
             add_scene("light", lit, picture);
         }
         add_scene(scene_.title.empty() ? "scene" : scene_.title, plain_, nullptr);
-        if (!lights_.items.empty()) {
-            writer_.use_extension("KHR_lights_punctual");
-            writer_.root()
-                .add("extensions", json_object())
-                .add("KHR_lights_punctual", json_object())
-                .add("lights", lights_);
-        }
+        if (!lights_.items.empty()) add_light_lists();
         JsonValue own = json_object();
         own.add("scene", json_number(picture == nullptr ? 0 : 1));
-        own.add("project", scene_without_settings(scene_));
+        own.add("project", json_of(project_));
         writer_.root().add("scene", json_number(0));
         writer_.root().add("extras", own_extras(std::move(own)));
         return binary ? writer_.binary() : writer_.text();
@@ -84,6 +79,27 @@ private:
             made.add("extras", own_extras(std::move(own)));
         }
         writer_.add("scenes", std::move(made));
+    }
+
+    void add_light_lists() {
+        writer_.use_extension("KHR_lights_punctual");
+        writer_.use_extension("EXT_lights_ies");
+        JsonValue& extensions = writer_.root().add("extensions", json_object());
+        extensions.add("KHR_lights_punctual", json_object()).add("lights", lights_);
+        extensions.add("EXT_lights_ies", json_object()).add("lights", profiles_);
+    }
+
+    /// The number of the luminaire's light in EXT_lights_ies; one for all that shine alike.
+    int profile(const Luminaire& luminaire) {
+        const std::string text = ies_profile(scene_, luminaire);
+        const auto [known, is_new] = profile_of_.try_emplace(text, static_cast<int>(profiles_.items.size()));
+        if (!is_new) return known->second;
+        JsonValue made = json_object();
+        if (!luminaire.name.empty()) made.add("name", json_text(luminaire.name));
+        made.add("bufferView", json_number(writer_.add_bytes(text)));
+        made.add("mimeType", json_text("application/x-ies-lm-63"));
+        profiles_.items.push_back(std::move(made));
+        return known->second;
     }
 
     /// One a material and an emission.
@@ -206,9 +222,12 @@ private:
         const glm::dquat rotation =
             glm::normalize(glm::quat_cast(Mat3{lying(turn[0]), lying(turn[1]), lying(turn[2])}));
         made.add("rotation", json_numbers({rotation.x, rotation.y, rotation.z, rotation.w}));
-        made.add("extensions", json_object())
-            .add("KHR_lights_punctual", json_object())
+        JsonValue& extensions = made.add("extensions", json_object());
+        extensions.add("KHR_lights_punctual", json_object())
             .add("light", json_number(static_cast<double>(lights_.items.size())));
+        JsonValue& shining = extensions.add("EXT_lights_ies", json_object());
+        shining.add("light", json_number(profile(luminaire)));
+        shining.add("multiplier", json_number(burning_share(luminaire, scene_)));
         lights_.items.push_back(punctual_light(luminaire, scene_));
         add_plain(std::move(made), own_kind("luminaire", luminaire.id));
     }
@@ -237,23 +256,26 @@ private:
         return {};
     }
 
+    const Project& project_;
     const Scene& scene_;
     GltfWriter writer_;
     std::map<std::pair<ObjectId, double>, int> materials_;
     int opening_ = -1, lit_ = -1;
-    JsonValue lights_ = json_list();
+    JsonValue lights_ = json_list(), profiles_ = json_list();
+    std::map<std::string, int> profile_of_;
     std::vector<int> plain_;
 };
 
 }  // namespace
 
-std::string gltf_file(const Scene& scene, const LitPicture* picture, bool binary) {
-    return Export(scene).file(picture, binary);
+std::string gltf_file(const Project& project, const LitPicture* picture, bool binary) {
+    return Export(project).file(picture, binary);
 }
 
-std::optional<Diagnostic> write_gltf(const Scene& scene, const LitPicture* picture, const std::filesystem::path& file) {
-    if (auto fault = unwritable(scene_without_settings(scene), file)) return fault;
-    return write_text_file(file, gltf_file(scene, picture, file.extension() != ".gltf"));
+std::optional<Diagnostic> write_gltf(const Project& project, const LitPicture* picture,
+                                     const std::filesystem::path& file) {
+    if (auto fault = unwritable(json_of(project), file)) return fault;
+    return write_text_file(file, gltf_file(project, picture, file.extension() != ".gltf"));
 }
 
 }  // namespace hanei

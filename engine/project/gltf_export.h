@@ -1,8 +1,8 @@
-/// A scene as a glTF 2.0 file for other programs, and with its light as colours at vertices.
+/// A project as a glTF 2.0 file for other programs, and with its light as colours at vertices.
 #pragma once
 
 #include "engine/base/diagnostic.h"
-#include "engine/scene/scene.h"
+#include "engine/project/project_file.h"
 
 #include <array>
 #include <cstdint>
@@ -34,17 +34,17 @@ struct LitPicture {
 ///     surfaces; baseColorFactor is reflectance x tint, emissive surfaces state their luminance
 ///     (KHR_materials_emissive_strength);
 ///   - a node a luminaire: its opening, and a light of KHR_lights_punctual of the same luminous flux, a
-///     point, or a spot of a half space (I0 cos^2) where less than a twentieth goes upward;
+///     point, or a spot of a half space (I0 cos^2) where less than a twentieth goes upward; beside it the
+///     intensities themselves as a profile of EXT_lights_ies (ies_profile.h), times what it burns at;
 ///   - with a `picture`, a scene that is shown first in which the objects have its colours (COLOR_0,
 ///     KHR_materials_unlit), beside the plain one;
-///   - what import_gltf needs to give the same scene back (gltf_own.h).
-///
-/// Left out are the settings of the calculation: they are the project's, and no part of what it shows.
+///   - what import_gltf needs to give the same project back (gltf_own.h). Nothing of it is left out.
 ///
 /// Returns   the file's bytes: binary (.glb) or text with its buffer in it (.gltf).
-std::string gltf_file(const Scene& scene, const LitPicture* picture, bool binary);
+std::string gltf_file(const Project& project, const LitPicture* picture, bool binary);
 
 /// Written whole or not at all; binary unless the name ends in .gltf. Returns what went wrong, or nothing.
-std::optional<Diagnostic> write_gltf(const Scene& scene, const LitPicture* picture, const std::filesystem::path& file);
+std::optional<Diagnostic> write_gltf(const Project& project, const LitPicture* picture,
+                                     const std::filesystem::path& file);
 
 }  // namespace hanei

@@ -10,6 +10,11 @@ namespace hanei {
 /// intensity all around; or, when less than a twentieth goes upward, a spot of the half space below it,
 ///
 ///     I = I0 cos^2 g,  flux = 2 pi / 3 I0.
+///
+/// What EXT_lights_ies says more exactly (ies_profile.h): this is for programs that do not know it.
 JsonValue punctual_light(const Luminaire& luminaire, const Scene& scene);
+
+/// How much of its full output it sends, dimmed and maintained.
+double burning_share(const Luminaire& luminaire, const Scene& scene);
 
 }  // namespace hanei

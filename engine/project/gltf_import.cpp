@@ -23,14 +23,16 @@ GltfImport refused(const std::filesystem::path& file, std::string message) {
 
 class Importing {
 public:
-    Importing(GltfDocument& document, const GltfImportOptions& options)
-        : document_(document), options_(options), axes_{options.metres_per_unit, options.up == GltfUpAxis::z} {}
+    Importing(GltfDocument& document, const GltfImportOptions& wanted)
+        : document_(document), options_(wanted), axes_{wanted.metres_per_unit, wanted.up == GltfUpAxis::z} {}
 
     /// Nothing with errors.
     void run(GltfImport& result) {
         check_required_extensions(document_);
         const bool as_written = options_.metres_per_unit == 1.0 && options_.up == GltfUpAxis::y;
-        std::optional<Scene> own = as_written ? own_project(document_) : std::nullopt;
+        std::optional<Project> written = as_written ? own_project(document_) : std::nullopt;
+        std::optional<Scene> own;
+        if (written) own = std::move(written->scene);
         check_own_nodes(document_, own ? &*own : nullptr);
         if (has_errors(document_.reading().findings)) return;  // what follows from these would only mislead
         const auto nodes = placed_nodes(document_.reading(), document_.root(), own_scene(document_));
@@ -47,6 +49,7 @@ public:
         scene.add(objects);
         check_size(primitives, result);
         if (!has_errors(document_.reading().findings)) scene.finish(result);
+        if (written) result.settings = written->settings;
     }
 
 private:
@@ -96,17 +99,20 @@ private:
 }  // namespace
 
 GltfImport import_gltf(std::string_view bytes, std::string_view name, const GltfNeighbour& neighbour,
-                       const GltfImportOptions& options) {
+                       const GltfImportOptions& wanted) {
     GltfImport result;
     JsonReading reading{std::string{name}, {}};
     GltfDocument document{bytes, reading, neighbour};
-    if (document.open()) Importing(document, options).run(result);
+    if (document.open()) Importing(document, wanted).run(result);
     result.findings = std::move(reading.findings);
-    if (has_errors(result.findings)) result.scene.reset();
+    if (has_errors(result.findings)) {
+        result.scene.reset();
+        result.settings.reset();
+    }
     return result;
 }
 
-GltfImport import_gltf(const std::filesystem::path& file, const GltfImportOptions& options) {
+GltfImport import_gltf(const std::filesystem::path& file, const GltfImportOptions& wanted) {
     constexpr std::uintmax_t most = 256U << 20U;
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);  // of a plain file: a pipe would wait
@@ -116,7 +122,7 @@ GltfImport import_gltf(const std::filesystem::path& file, const GltfImportOption
     std::string bytes(static_cast<std::size_t>(size), '\0');
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!stream) return refused(file, "cannot be read");
-    return import_gltf(bytes, file.string(), gltf_neighbours(file), options);
+    return import_gltf(bytes, file.string(), gltf_neighbours(file), wanted);
 }
 
 }  // namespace hanei

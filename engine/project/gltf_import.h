@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/base/diagnostic.h"
+#include "engine/plan/settings.h"
 #include "engine/project/gltf_uri.h"
 #include "engine/scene/scene.h"
 
@@ -21,8 +22,9 @@ struct GltfImportOptions {
 };
 
 struct GltfImport {
-    std::optional<Scene> scene;  ///< empty with errors: nothing is half imported
-    Vec3 size{0.0};              ///< m, of the meshes' bounds
+    std::optional<Scene> scene;        ///< empty with errors: nothing is half imported
+    std::optional<Settings> settings;  ///< of the project that the exporter wrote
+    Vec3 size{0.0};                    ///< m, of the meshes' bounds
     int solids = 0, sheets = 0, luminaires = 0;
     Diagnostics findings;
 };
@@ -43,9 +45,9 @@ struct GltfImport {
 ///           than 5 cm the unit it was probably drawn in.
 /// Cost      about a second for 100 000 triangles.
 GltfImport import_gltf(std::string_view bytes, std::string_view name, const GltfNeighbour& neighbour,
-                       const GltfImportOptions& options);
+                       const GltfImportOptions& wanted);
 
 /// The same from a file of at most 256 MB.
-GltfImport import_gltf(const std::filesystem::path& file, const GltfImportOptions& options);
+GltfImport import_gltf(const std::filesystem::path& file, const GltfImportOptions& wanted);
 
 }  // namespace hanei

@@ -37,8 +37,8 @@ public:
 
     std::vector<GltfLight> read(const std::vector<GltfNode>& nodes) {
         for (const GltfNode& node : nodes) {
-            read_light(node, "KHR_lights_punctual");
-            read_light(node, "EXT_lights_ies");
+            const bool profiled = extension_of(node, "EXT_lights_ies") != nullptr;
+            read_light(node, profiled ? "EXT_lights_ies" : "KHR_lights_punctual");
         }
         if (directional_ > 0)
             warn(fmt::format("{} of its lights are directional, without place or candela; they are left out",
@@ -50,10 +50,14 @@ public:
 private:
     void warn(const std::string& message) { reading_.warn(document_.root(), "nodes", message); }
 
+    const JsonValue* extension_of(const GltfNode& node, const std::string& extension) const {
+        const JsonValue* const extensions = document_.root().find("nodes")->items[node.number].find("extensions");
+        return extensions == nullptr ? nullptr : extensions->find(extension);
+    }
+
     void read_light(const GltfNode& node, const std::string& extension) {
         const JsonValue& object = document_.root().find("nodes")->items[node.number];
-        const JsonValue* const extensions = object.find("extensions");
-        const JsonValue* const value = extensions == nullptr ? nullptr : extensions->find(extension);
+        const JsonValue* const value = extension_of(node, extension);
         if (value == nullptr) return;
         const std::string node_path = "nodes[" + std::to_string(node.number) + ']';
         Fields shown(reading_, *value, node_path + ".extensions." + extension);

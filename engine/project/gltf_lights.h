@@ -25,7 +25,8 @@ struct GltfRead {
     Diagnostics findings;
 };
 
-/// Every light of these nodes, named by its node. Scale moves lights but changes
+/// Every light of these nodes, named by its node. One with a profile hangs once: the point or spot light at
+/// its node stands for it in programs that know no profiles. Scale moves lights but changes
 /// no intensity. Point and spot lights become tables (gltf_punctual.h), profiles are read by the reader
 /// of luminaire files and multiplied by their node's factor. Colour and range are not photometry: a
 /// warning of the luminaire says that they are left out. Directional lights have neither place nor

@@ -129,7 +129,7 @@ std::optional<std::size_t> own_scene(GltfDocument& document) {
     return take_index(document.reading(), *number, "extras.hanei.scene", scenes == nullptr ? 0 : scenes->items.size());
 }
 
-std::optional<Scene> own_project(GltfDocument& document) {
+std::optional<Project> own_project(GltfDocument& document) {
     const JsonValue* const own = own_extras(document.root());
     const JsonValue* const part = own == nullptr ? nullptr : own->find("project");
     JsonReading& reading = document.reading();
@@ -150,7 +150,8 @@ std::optional<Scene> own_project(GltfDocument& document) {
         finding.place.field = "extras.hanei.project" + (finding.place.field.empty() ? "" : '.' + finding.place.field);
         reading.findings.push_back(std::move(finding));
     }
-    return sound ? std::optional{std::move(project->scene)} : std::nullopt;
+    if (!sound) project.reset();
+    return project;
 }
 
 void place_own_luminaires(GltfDocument& document, const std::vector<GltfNode>& nodes, Scene& scene) {

@@ -1,7 +1,7 @@
 /// What the exporter writes beside meshes and lights, so that a scene comes back as it was.
 ///
 /// At the root, "extras": {"hanei": {"scene": 0, "project": {...}}}: the number of the scene that holds
-/// the authored objects, and the project file's own content (project_file.h) but for its settings. At each
+/// the authored objects, and the project file's own content (project_file.h). At each
 /// node "extras": {"hanei": {"kind": "furniture", "id": 7}}: kinds are room, furniture, surface and
 /// luminaire, the id is the object's in the project. At each material "extras": {"hanei": {"id": 3,
 /// "reflectance": 0.5, "tint": [1, 1, 1]}}.
@@ -13,7 +13,7 @@
 
 #include "engine/project/gltf_document.h"
 #include "engine/project/gltf_nodes.h"
-#include "engine/scene/scene.h"
+#include "engine/project/project_file.h"
 
 #include <optional>
 #include <string>
@@ -36,7 +36,7 @@ std::optional<std::size_t> own_scene(GltfDocument& document);
 
 /// The project's part; none in foreign files.
 /// Returns   errors for a part that could not stand in a project file. Its photometries name no files.
-std::optional<Scene> own_project(GltfDocument& document);
+std::optional<Project> own_project(GltfDocument& document);
 
 /// Leaves luminaires where their nodes stand, and those without a node out; a copy of a node is a copy of
 /// its luminaire. A node that agrees with the luminaire's own place up to single precision changes nothing.

@@ -56,15 +56,22 @@ void GltfWriter::use_extension(const std::string& name) {
     if (!known) used.items.push_back(json_text(name));
 }
 
-int GltfWriter::add_accessor(const std::string& bytes, int component, std::size_t count, const char* type, int target,
-                             JsonValue bounds) {
+int GltfWriter::add_bytes(std::string_view bytes) { return add("bufferViews", view_of(bytes)); }
+
+JsonValue GltfWriter::view_of(std::string_view bytes) {
     pad(bytes_, '\0');
     JsonValue view = json_object();
     view.add("buffer", json_number(0));
     view.add("byteOffset", json_number(static_cast<double>(bytes_.size())));
     view.add("byteLength", json_number(static_cast<double>(bytes.size())));
-    view.add("target", json_number(target));
     bytes_ += bytes;
+    return view;
+}
+
+int GltfWriter::add_accessor(const std::string& bytes, int component, std::size_t count, const char* type, int target,
+                             JsonValue bounds) {
+    JsonValue view = view_of(bytes);
+    view.add("target", json_number(target));
     JsonValue accessor = json_object();
     accessor.add("bufferView", json_number(add("bufferViews", std::move(view))));
     accessor.add("componentType", json_number(component));

@@ -26,6 +26,9 @@ public:
     int add_colours(std::span<const std::array<float, 3>> colours);
     int add_indices(std::span<const std::uint32_t> indices);
 
+    /// Bytes that are no figures; the number of their buffer view.
+    int add_bytes(std::string_view bytes);
+
     /// Appends to a list at the root ("nodes").
     int add(const std::string& list, JsonValue item);
     JsonValue& root() { return root_; }
@@ -36,6 +39,7 @@ public:
 
 private:
     JsonValue& list(const std::string& name);
+    JsonValue view_of(std::string_view bytes);
     int add_accessor(const std::string& bytes, int component, std::size_t count, const char* type, int target,
                      JsonValue bounds);
     JsonValue finished(bool with_uri);

@@ -156,16 +156,15 @@ JsonValue json_of(const Settings& settings) {
     return object;
 }
 
-namespace {
-
-JsonValue json_of_scene(const Scene& scene, const Settings* settings) {
+JsonValue json_of(const Project& project) {
+    const Scene& scene = project.scene;
     const References materials(scene.materials);
     JsonValue root = json_object();
     root.add("format", json_text("hanei-project"));
     root.add("version", json_number(project_version));
     if (!scene.title.empty()) root.add("title", json_text(scene.title));
     root.add("maintenance_factor", json_number(scene.maintenance_factor));
-    if (settings != nullptr) root.add("settings", json_of(*settings));
+    root.add("settings", json_of(project.settings));
     add_objects(root, "materials", scene.materials);
     if (scene.room.has_value()) root.add("room", json_of(*scene.room, materials));
     add_objects(root, "furniture", scene.furniture, materials);
@@ -184,10 +183,5 @@ JsonValue json_of_scene(const Scene& scene, const Settings* settings) {
     add_unknown(root, scene.unknown);
     return root;
 }
-
-}  // namespace
-
-JsonValue json_of(const Project& project) { return json_of_scene(project.scene, &project.settings); }
-JsonValue scene_without_settings(const Scene& scene) { return json_of_scene(scene, nullptr); }
 
 }  // namespace hanei

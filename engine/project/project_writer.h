@@ -28,7 +28,6 @@ private:
 };
 
 JsonValue json_of(const Project& project);
-JsonValue scene_without_settings(const Scene& scene);  ///< a project file's content, but for what this version sets
 JsonValue json_of(const Photometry& photometry);
 JsonValue json_of(const Luminaire& luminaire, const References& photometries, const References& groups);
 JsonValue json_of(const ControlGroup& group);

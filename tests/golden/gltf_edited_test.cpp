@@ -35,7 +35,7 @@ protected:
         desk = added.object;
         screen = scene.surfaces[0].id;
         scene.object_groups.push_back({scene.new_id(), "desk and screen", {desk, screen}, {}});
-        file = json::parse(gltf_file(scene, nullptr, false));
+        file = json::parse(gltf_file({scene, {}}, nullptr, false));
         scene = read();  // numbers of more digits than a double has were rounded by the JSON of this test
     }
 

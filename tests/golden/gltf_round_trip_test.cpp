@@ -32,7 +32,7 @@ Scene read_room(const std::filesystem::path& file) {
 
 /// Written and read again.
 Scene exchanged(const Scene& scene, bool binary, const LitPicture* picture = nullptr) {
-    const GltfImport import = import_gltf(gltf_file(scene, picture, binary), "exchanged", {}, {});
+    const GltfImport import = import_gltf(gltf_file({scene, {}}, picture, binary), "exchanged", {}, {});
     EXPECT_TRUE(import.scene.has_value()) << told(import.findings);
     return import.scene.value_or(Scene{});
 }
@@ -83,12 +83,19 @@ TEST(GltfRoundTrip, every_piece_of_the_library_comes_back_as_that_piece) {
     expect_same(scene, exchanged(scene, true));
 }
 
+TEST(GltfRoundTrip, settings_come_back_with_the_scene_and_only_with_one_of_ours) {
+    const Project project = project_with_everything();
+    EXPECT_EQ(import_gltf(gltf_file(project, nullptr, true), "ours", {}, {}).settings, project.settings);
+    const auto foreign = std::filesystem::path{HANEI_SOURCE} / "tests/golden/gltf/chair.gltf";
+    EXPECT_FALSE(import_gltf(foreign, {}).settings.has_value());
+}
+
 TEST(GltfRoundTrip, a_figure_that_is_no_number_is_not_written) {
     Scene scene = empty_room();
     scene.maintenance_factor = std::numeric_limits<double>::quiet_NaN();
     const auto file = std::filesystem::path(testing::TempDir()) / "gltf without a number.glb";
     std::filesystem::remove(file);
-    const auto fault = write_gltf(scene, nullptr, file);
+    const auto fault = write_gltf({scene, {}}, nullptr, file);
     ASSERT_TRUE(fault.has_value());
     EXPECT_NE(fault->message.find("infinite or no number"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(file));
@@ -96,7 +103,7 @@ TEST(GltfRoundTrip, a_figure_that_is_no_number_is_not_written) {
 
 TEST(GltfRoundTrip, a_lamp_moved_in_the_file_hangs_where_it_was_moved_to) {
     const Scene scene = read_room(std::filesystem::path{HANEI_SOURCE} / "assets/rooms/painted-room.hanei");
-    nlohmann::json file = nlohmann::json::parse(gltf_file(scene, nullptr, false));
+    nlohmann::json file = nlohmann::json::parse(gltf_file({scene, {}}, nullptr, false));
     for (auto& node : file["nodes"])
         if (node["extras"]["hanei"]["kind"] == "luminaire") node["translation"][1] = 1.25;
     const GltfImport import = import_gltf(file.dump(), "moved.gltf", {}, {});
@@ -111,7 +118,7 @@ TEST(GltfRoundTrip, a_lamp_moved_in_the_file_hangs_where_it_was_moved_to) {
 
 TEST(GltfRoundTrip, a_part_of_a_project_that_names_files_is_refused) {
     const Scene scene = read_room(std::filesystem::path{HANEI_SOURCE} / "assets/rooms/painted-room.hanei");
-    nlohmann::json file = nlohmann::json::parse(gltf_file(scene, nullptr, false));
+    nlohmann::json file = nlohmann::json::parse(gltf_file({scene, {}}, nullptr, false));
     file["extras"]["hanei"]["project"]["photometries"] = {{{"id", 999}, {"name", "x"}, {"file", "../secret.ies"}}};
     const GltfImport import = import_gltf(file.dump(), "bad.gltf", {}, {});
     EXPECT_FALSE(import.scene.has_value());
@@ -137,7 +144,7 @@ TEST(GltfRoundTrip, the_light_is_in_the_scene_that_is_shown_first_and_the_plain_
         const LitPicture picture = lit_room(scene, scale);
         ASSERT_FALSE(picture.surfaces.empty());
         expect_same(scene, exchanged(scene, true, &picture));
-        const nlohmann::json file = nlohmann::json::parse(gltf_file(scene, &picture, false));
+        const nlohmann::json file = nlohmann::json::parse(gltf_file({scene, {}}, &picture, false));
         EXPECT_EQ(file["scene"], 0);
         ASSERT_EQ(file["scenes"].size(), 2U);
         std::size_t coloured = 0;

@@ -53,7 +53,10 @@ constexpr Writer writers[] = {
          return reason_of(write_project({small_room(), {}}, file));
      }},
     {"preferences", [](const fs::path& file) { return reason_of(write_preferences({}, file)); }},
-    {"glTF", [](const fs::path& file) { return reason_of(write_gltf(small_room(), nullptr, file)); }},
+    {"glTF",
+     [](const fs::path& file) {
+         return reason_of(write_gltf({small_room(), {}}, nullptr, file));
+     }},
     {"table", [](const fs::path& file) { return reason_thrown([&] { write_text(file, std::string(9000, '1')); }); }},
     {"picture", [](const fs::path& file) { return reason_thrown([&] { write_png(grey_picture(), file); }); }},
     {"state", [](const fs::path& file) { return write_passing_file(file, std::string(9000, '1')).value_or(""); }},

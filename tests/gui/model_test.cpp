@@ -1,5 +1,6 @@
 #include "app/desktop.h"
 #include "engine/edit/edit.h"
+#include "engine/project/gltf_export.h"
 #include "engine/project/gltf_import.h"
 #include "ui/panels/state_text.h"
 #include "ui/window/driver.h"
@@ -75,6 +76,35 @@ TEST_F(ModelsDropped, bring_their_room_in_place_of_all_that_was_there_or_beside_
     EXPECT_EQ(scene()->room->plan.size(), 6U);
     EXPECT_EQ(state("luminaires"), "3");
     EXPECT_EQ(state("undo depth"), "2");
+}
+
+TEST_F(ModelsDropped, of_a_room_that_was_exported_begin_a_new_project_equal_to_it) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "office to begin with.glb";
+    const auto office = project_door().open(std::filesystem::path(HANEI_SOURCE) / "assets/rooms/office.hanei");
+    ASSERT_TRUE(office.content.has_value());
+    ASSERT_FALSE(write_gltf({office.content->scene, office.content->settings}, nullptr, file));
+    driver.drop({file}, x, y);
+    EXPECT_DONE(driver.click("import.place"));
+    EXPECT_DONE(driver.click("import.place.As a new project"));
+    EXPECT_DONE(driver.click("import.ok"));
+    EXPECT_EQ(*scene(), office.content->scene);
+    EXPECT_EQ(driver.workbench().document().settings(), office.content->settings);
+    EXPECT_FALSE(driver.workbench().document().is_saved());
+    EXPECT_TRUE(driver.workbench().document().file().empty());
+    EXPECT_EQ(state("message"), "Imported office to begin with.glb as a new project");
+}
+
+TEST_F(ModelsDropped, that_begin_a_new_project_ask_about_work_that_is_not_saved) {
+    drop("chair.gltf");
+    EXPECT_DONE(driver.click("import.ok"));
+    drop("office.gltf");
+    EXPECT_DONE(driver.click("import.place"));
+    EXPECT_DONE(driver.click("import.place.As a new project"));
+    EXPECT_DONE(driver.click("import.ok"));
+    EXPECT_EQ(state("dialog"), "unsaved");
+    EXPECT_DONE(driver.click("unsaved.cancel"));
+    ASSERT_EQ(scene()->furniture.size(), 1U);
+    EXPECT_EQ(scene()->furniture[0].name, "chair");
 }
 
 TEST_F(ModelsDropped, that_are_faulty_are_refused_with_a_sentence) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/plan/settings.h"
 #include "engine/scene/scene.h"
 
 namespace hanei {
@@ -17,6 +18,7 @@ struct ModelContent {
     Scene scene;
     Vec3 size{0.0};  ///< m
     int solids = 0, sheets = 0, luminaires = 0;
+    std::optional<Settings> settings;  ///< of a project that was exported; none of other models
 };
 
 }  // namespace hanei

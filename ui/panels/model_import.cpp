@@ -97,15 +97,15 @@ void ModelImport::place_choice(Form& form) {
     if (!opened_.content) return;
     const bool brings_room = opened_.content->scene.room.has_value();
     const Where moved = brings_room ? Where::instead : dropped_ ? Where::pointer : Where::middle;
-    if (where_ != Where::as_drawn) where_ = moved;
+    const std::array ways{moved, Where::as_drawn, Where::new_project};
+    int way = where_ == Where::as_drawn ? 1 : where_ == Where::new_project ? 2 : 0;
     const char* const first = brings_room ? "In place of all that is there"
                               : dropped_  ? "Where it was dropped"
                                           : "In the middle of the room";
     const char* const second = brings_room ? "Beside what is there, but for the room" : "Where the file has it";
-    int as_drawn = where_ == Where::as_drawn ? 1 : 0;
-    const auto places = translated({first, second});
-    if (form.choice("import.place", "Place", "Where it stands, and what it takes the place of", places, as_drawn))
-        where_ = as_drawn == 1 ? Where::as_drawn : moved;
+    const auto places = translated({first, second, "As a new project"});
+    form.choice("import.place", "Place", "Where it stands, and what it takes the place of", places, way);
+    where_ = ways[static_cast<std::size_t>(way)];
 }
 
 void ModelImport::facts(Form& form) const {

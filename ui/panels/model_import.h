@@ -11,7 +11,8 @@ namespace hanei {
 
 class ModelImport {
 public:
-    enum class Where { middle, pointer, as_drawn, instead };  ///< instead: of all that the project holds
+    /// instead: of all that the project holds; new_project: beside it, in one of its own.
+    enum class Where { middle, pointer, as_drawn, instead, new_project };
 
     struct Taken {
         std::filesystem::path file;

@@ -166,6 +166,7 @@ private:
     void import_model();
     bool ask_about_model(const std::filesystem::path& file, Vec2 place, bool dropped);
     void take_model(ModelImport::Taken taken);
+    void start_with_model(ModelImport::Taken taken);
     void export_model();
 
     /// Luminaire files on their way into the scene.

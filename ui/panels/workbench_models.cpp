@@ -1,3 +1,4 @@
+#include "engine/edit/edit.h"
 #include "engine/edit/join.h"
 #include "ui/panels/hanging.h"
 #include "ui/panels/language.h"
@@ -31,8 +32,21 @@ bool Workbench::ask_about_model(const std::filesystem::path& file, Vec2 place, b
     return true;
 }
 
+/// The empty room comes first in the history: the project is unsaved from the start.
+void Workbench::start_with_model(ModelImport::Taken taken) {
+    const std::string name = taken.file.filename().string();
+    Scene scene = std::move(taken.content.scene);
+    const Settings settings = taken.content.settings.value_or(Settings{});
+    if (scene.title.empty()) scene.title = taken.file.stem().string();
+    show(Document({empty_room(), {}}));
+    document_.commit(ProjectContent{std::move(scene), settings}, "Import " + name);
+    message_ = say("Imported {} as a new project", name);
+}
+
 void Workbench::take_model(ModelImport::Taken taken) {
     using Where = ModelImport::Where;
+    if (taken.where == Where::new_project)
+        return guarded([this, model = std::move(taken)]() mutable { start_with_model(std::move(model)); });
     const Scene present = *document_.shown();
     const double floor = present.room ? present.room->floor_height : 0.0;
     const bool brings_room = taken.content.scene.room.has_value();
