@@ -3,6 +3,7 @@
 
 #include "ui/panels/language.h"
 #include "ui/view/illuminance_unit.h"
+#include "ui/view/length_unit.h"
 
 #include <filesystem>
 #include <string>
@@ -11,7 +12,6 @@
 namespace hanei {
 
 enum class Theme { dark, light };
-enum class LengthUnit { metre, centimetre, millimetre, feet_inches };
 
 struct Preferences {
     Language language = Language::english;
@@ -24,6 +24,7 @@ struct Preferences {
     double autosave = 60.0;       ///< s, 5 to 600: unsaved work is kept at least as often
     bool restores_layout = true;  ///< the panels' sizes are those of the last time
     std::string picture_name = "{project} {view} {part} {date}.png";  ///< template of exported files' names
+    bool glides = true;                                               ///< from one view to another, not at once
     std::string unknown = {};  ///< fields of a newer program, as the text of a JSON object
     bool operator==(const Preferences&) const = default;
 };
