@@ -160,7 +160,11 @@ void add_render(CLI::App& app, Arguments& arguments) {
     command->add_option("--unit", request.unit, "Unit of figures in the picture: lux or foot-candles")
         ->check(CLI::IsMember({"lx", "fc"}));
     command->add_flag("--values", request.values, "Write the figures of calculation grids and points into the picture");
-    command->add_flag("--plain", request.plain, "No legend and no caption");
+    command->add_flag("--plain", request.plain, "No legend, no caption and no scale bar");
+    command->add_flag("--no-scale-bar", request.no_scale_bar, "No scale bar in pictures to scale (plan, front, ...)");
+    command->add_flag("--axes", request.axes, "Show in a corner which way x, y and z run");
+    command->add_option("--length-unit", request.length_unit, "Unit of the scale bar")
+        ->check(CLI::IsMember({"m", "cm", "mm", "ft"}));
     add_light_scene(*command, request.light_scene);
     command->add_flag("--exact", request.exact,
                       "Direct light exact at every pixel and smooth edges of objects and shadows: takes seconds");

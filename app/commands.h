@@ -34,8 +34,8 @@ struct RenderRequest {
     bool shadow_outlines = false;
     std::string luminaire;  ///< whose shadows, by name or number from 1; empty: all
     std::string scale = "false-colour";
-    bool no_ceiling = false;  ///< looked into from above, as into a doll's house
-    std::string cut;          ///< "z=1.2": only what lies below is drawn; empty: as the view says
+    bool no_ceiling = false;          ///< looked into from above, as into a doll's house
+    std::string cut;                  ///< "z=1.2": only what lies below is drawn; empty: as the view says
     std::string steps;                ///< log, linear, en; empty: as the project's scale
     std::optional<double> low, high;  ///< lx
     bool fits = false;                ///< the scale is fitted to the light, whatever the project's is
@@ -47,7 +47,10 @@ struct RenderRequest {
     bool exact = false;               ///< direct light exact at every pixel
     int samples = 16;                 ///< rays a pixel at edges, when exact
     SettingsChange change;
-    std::string light_scene{};  ///< recalled first, by name; empty: the dimmers as they are
+    std::string light_scene{};      ///< recalled first, by name; empty: the dimmers as they are
+    bool no_scale_bar = false;      ///< of a picture to scale
+    bool axes = false;              ///< which way x, y and z run
+    std::string length_unit = "m";  ///< of the scale bar; or "cm", "mm", "ft"
 };
 int render_command(const RenderRequest& request);
 

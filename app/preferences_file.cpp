@@ -69,6 +69,7 @@ void take_fields(Fields& fields, Preferences& preferences) {
     take_word(fields, "illuminance", illuminances, preferences.illuminance);
     take_figure(fields, "autosave_s", 5.0, 600.0, preferences.autosave);
     fields.optional("restores_layout", preferences.restores_layout);
+    fields.optional("glides", preferences.glides);
     fields.optional("picture_name", preferences.picture_name);
     take_figure(fields, "left_width", 140.0, 420.0, preferences.left_width);
     take_figure(fields, "right_width", 220.0, 520.0, preferences.right_width);
@@ -126,6 +127,7 @@ std::string preferences_text(const Preferences& preferences) {
     root.add("illuminance", json_text(word_of(illuminances, preferences.illuminance)));
     root.add("autosave_s", json_number(preferences.autosave));
     root.add("restores_layout", json_boolean(preferences.restores_layout));
+    root.add("glides", json_boolean(preferences.glides));
     root.add("left_width", json_number(static_cast<double>(preferences.left_width)));
     root.add("right_width", json_number(static_cast<double>(preferences.right_width)));
     root.add("bottom_height", json_number(static_cast<double>(preferences.bottom_height)));

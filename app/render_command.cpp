@@ -24,6 +24,13 @@ namespace hanei {
 
 namespace {
 
+LengthUnit length_unit_named(std::string_view name) {
+    return name == "cm"   ? LengthUnit::centimetre
+           : name == "mm" ? LengthUnit::millimetre
+           : name == "ft" ? LengthUnit::feet_inches
+                          : LengthUnit::metre;
+}
+
 std::optional<Camera> camera_for(const RenderRequest& request, const Scene& scene, double aspect) {
     const Bounds bounds = bounds_of(scene);
     if (request.view.empty()) return scene.views.empty() ? overview(bounds, aspect) : camera_of(scene.views.front());
@@ -199,6 +206,9 @@ int render_command(const RenderRequest& request) {
     picture.options = options_for(request, *scene);
     picture.size = {request.width, request.height};
     picture.annotated = !request.plain;
+    picture.has_scale_bar = !request.no_scale_bar;
+    picture.has_axes = request.axes;
+    picture.length = length_unit_named(request.length_unit);
     const auto camera = camera_for(request, *scene, view_size(picture).aspect());
     if (!camera) {
         print_unknown_view(request, *scene);

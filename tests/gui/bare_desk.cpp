@@ -6,7 +6,8 @@
 
 namespace hanei {
 
-BareDesk::BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size) : context_(ImGui::CreateContext()) {
+BareDesk::BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size, Workbench::Options how)
+    : context_(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -19,7 +20,7 @@ BareDesk::BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size) : cont
     int height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
     workbench_ = std::make_unique<Workbench>(
-        std::move(content), std::filesystem::path(), std::move(door), [] {}, Workbench::Options{true});
+        std::move(content), std::filesystem::path(), std::move(door), [] {}, how);
 }
 
 BareDesk::~BareDesk() {

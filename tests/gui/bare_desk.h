@@ -13,7 +13,8 @@ namespace hanei {
 
 class BareDesk {
 public:
-    BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size = {1280.0F, 800.0F});
+    BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size = {1280.0F, 800.0F},
+             Workbench::Options how = {true});
     ~BareDesk();
     BareDesk(const BareDesk&) = delete;
     BareDesk& operator=(const BareDesk&) = delete;

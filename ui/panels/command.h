@@ -109,6 +109,8 @@ enum class CommandId {
     show_left,
     show_right,
     toggle_orthographic,
+    walk_through,
+    measure_distance,
     look_at_selection,
     toggle_ceiling,
     toggle_section_plane,
@@ -136,6 +138,9 @@ enum class CommandId {
     toggle_mesh,
     toggle_grids,
     toggle_body,
+    toggle_axes,
+    toggle_scale_bar,
+    toggle_distances,
     fit_range,
     switch_theme,
     switch_language,
@@ -165,6 +170,7 @@ struct Command {
     Chord chord;
     Chord other = {};  ///< a second chord for the same thing
     bool starts_section = false;
+    std::string_view group = {};  ///< the menu within the menu that it stands in
 };
 
 // The rows of each menu stand with what they do, in menu_NAME.cpp.

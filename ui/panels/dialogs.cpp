@@ -39,6 +39,7 @@ constexpr std::array mouse_map{
     std::pair{"Drag the room, right drag", "Turn the view"},
     std::pair{"Middle drag, Shift+drag", "Shift the view"},
     std::pair{"Wheel", "Closer to, or away from, what is under the pointer"},
+    std::pair{"W A S D while walking", "Walk; drag to look, Shift is faster, Q and E lower and raise the eye"},
     std::pair{"Drag a figure", "Change it; click it to type"},
 };
 

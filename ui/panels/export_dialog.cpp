@@ -50,7 +50,8 @@ std::vector<PictureJob> ExportDialog::jobs(const Context& context, std::string& 
             opened_at_};
         const PictureName name = picture_name(template_, parts);
         if (!name.fault.empty()) fault = name.fault;
-        jobs.push_back({std::filesystem::path(folder_) / name.name, part, four, pixels, legend_, caption_});
+        jobs.push_back(
+            {std::filesystem::path(folder_) / name.name, part, four, pixels, legend_, caption_, scale_bar_, axes_});
     };
     if (what_ == What::view) add(context.part, context.four);
     if (what_ == What::four) add(LightPart::total, true);
@@ -86,6 +87,8 @@ void ExportDialog::fields(const Context& context, Form& form) {
     }
     form.toggle("export.legend", "Legend", "The colour scale with quantity and unit beside the picture", legend_);
     form.toggle("export.caption", "Caption", "Quantity, settings and error under the picture", caption_);
+    form.toggle("export.scale_bar", "Scale bar", "In pictures to scale that have a legend or a caption", scale_bar_);
+    form.toggle("export.axes", "Axes", "Which way x, y and z run, in the corner of the picture", axes_);
     form.text("export.folder", "Folder", "Where the pictures go", folder_);
     form.text("export.name", "Name",
               "{project} {view} {part} {date} {time} {size} {number} are replaced; the rest stays as it is", template_);

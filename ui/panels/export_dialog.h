@@ -38,7 +38,7 @@ private:
     std::array<bool, 4> parts_{true, true, true, false};
     int size_ = 0;  ///< as the view, twice, 4K, own
     double own_width_ = 1600.0, own_height_ = 1000.0;
-    bool legend_ = true, caption_ = true;
+    bool legend_ = true, caption_ = true, scale_bar_ = true, axes_ = false;
     std::string folder_, template_{usual_name_template};
     std::chrono::system_clock::time_point opened_at_;
 };

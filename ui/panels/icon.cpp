@@ -149,6 +149,7 @@ constexpr std::array table{
     CommandIcon{"view.isolux", Icon::isolux},
     CommandIcon{"view.language", Icon::language},
     CommandIcon{"view.look", Icon::visible},
+    CommandIcon{"view.measure", Icon::distance},
     CommandIcon{"view.mesh", Icon::patches},
     CommandIcon{"view.overview", Icon::overview},
     CommandIcon{"view.photo", Icon::photo},
@@ -159,6 +160,7 @@ constexpr std::array table{
     CommandIcon{"view.shadow_outlines", Icon::shadows},
     CommandIcon{"view.split", Icon::compare},
     CommandIcon{"view.theme", Icon::theme},
+    CommandIcon{"view.walk", Icon::walk},
 };
 
 }  // namespace

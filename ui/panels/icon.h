@@ -76,6 +76,7 @@ enum class Icon {
     settings,
     theme,
     language,
+    distance,
     sum,
 };
 inline constexpr int icon_count = static_cast<int>(Icon::sum) + 1;

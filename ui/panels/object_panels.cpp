@@ -3,6 +3,7 @@
 #include "ui/panels/properties.h"
 #include "ui/panels/property_rows.h"
 #include "ui/panels/room_panel.h"
+#include "ui/panels/section.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -55,7 +56,10 @@ std::optional<Scene> view_panel(const Scene& scene, ObjectId id, Form& form) {
     return edited(scene, &Scene::views, id, [&](View& view) {
         bool changed = form.text("view.name", "Name", "What this view is called", view.name);
         changed |=
-            angle_row({"view.angle", "Field of view", "°", "Vertical", 1.0, 170.0, 0.2, 1}, view.field_of_view, form);
+            angle_row({"view.angle", "Field of view", "°",
+                       "Of the perspective, from the lower to the upper edge of the picture; the eye stays where it is",
+                       least_field_of_view, greatest_field_of_view, 0.2, 1},
+                      view.field_of_view, form);
         changed |= form.toggle("view.orthographic", "To scale", "Parallel projection instead of perspective",
                                view.orthographic);
         changed |= form.toggle("view.hides_ceiling", "Without ceiling",

@@ -55,6 +55,8 @@ void PictureExport::write(const SolutionSnapshot& solution, PictureRequest reque
     request.annotated = job.has_legend || job.has_caption;
     request.has_legend = job.has_legend;
     request.has_caption = job.has_caption;
+    request.has_scale_bar = job.has_scale_bar;
+    request.has_axes = job.has_axes;
     const Image image = job.four ? render_four_up(solution, request) : render_picture(solution, request);
     write_png(image, job.file, picture_text(*solution, request.options, hash, std::chrono::system_clock::now()));
 }

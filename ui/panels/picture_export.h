@@ -17,6 +17,7 @@ struct PictureJob {
     bool four = false;  ///< all four parts in one picture
     PixelSize size;
     bool has_legend = true, has_caption = true;
+    bool has_scale_bar = true, has_axes = false;
 };
 
 class PictureExport {

@@ -40,6 +40,8 @@ void look(Preferences& preferences, Form& form) {
     choose_scale(form, preferences.scale);
     form.toggle("preferences.layout", "Panels", "Panels have the sizes of the last time when the program starts",
                 preferences.restores_layout);
+    form.toggle("preferences.glides", "Gliding", "The picture glides from one view to another in a quarter of a second",
+                preferences.glides);
 }
 
 void units(Preferences& preferences, Form& form) {

@@ -3,12 +3,14 @@
 #include "ui/panels/form.h"
 #include "ui/panels/language.h"
 #include "ui/panels/style.h"
+#include "ui/panels/units.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <numbers>
 
 namespace hanei {
 namespace {
@@ -64,36 +66,77 @@ Cut moved_to(const Cut& cut, const Ray& ray, const Bounds& bounds, double raster
     return {cut.normal, std::clamp(snapped(cut.offset + by, raster), low, high)};
 }
 
-void section_rows(Camera& camera, const Bounds& bounds, WidgetRegistry& widgets) {
-    ImGui::MenuItem(tr("Without ceiling"), "U", &camera.left_out.ceiling);
-    widgets.note("section.ceiling");
-    tooltip(tr("Take the ceiling off, as of a doll's house; luminaires stay where they hang"));
-    std::optional<Cut>& cut = camera.left_out.cut;
-    if (ImGui::MenuItem(tr("Section plane"), "K", cut.has_value())) toggle_section(camera, bounds);
-    widgets.note("section.on");
-    tooltip(tr("Leave out what lies before a plane; its handle moves it in the picture"));
-    if (!cut) return;
+namespace {
+
+/// A length to slide, in the unit that lengths are shown in.
+bool length_slider(const char* label, double& metres, double low, double high) {
+    const ShownUnit unit = shown_unit("m");
+    auto shown = static_cast<float>(metres / unit.worth);
+    // Feet and inches are no figure that a slider could be typed into.
+    const std::string format = unit.feet_inches
+                                   ? with_unit(metres, "m", 2)
+                                   : fmt::format("%.{}f {}", std::max(0, 2 - unit.fewer_decimals), unit.label);
+    const bool moved =
+        ImGui::SliderFloat(label, &shown, static_cast<float>(low / unit.worth), static_cast<float>(high / unit.worth),
+                           format.c_str(), unit.feet_inches ? ImGuiSliderFlags_NoInput : ImGuiSliderFlags_AlwaysClamp);
+    if (moved) metres = static_cast<double>(shown) * unit.worth;
+    return moved;
+}
+
+void lens_row(Camera& camera, const std::string& name, WidgetRegistry& widgets) {
+    if (camera.orthographic) return;
+    constexpr double degree = std::numbers::pi / 180.0;
+    auto degrees = static_cast<float>(camera.field_of_view / degree);
+    ImGui::SetNextItemWidth(150.0F * style::scale());
+    const std::string label = fmt::format("{}###lens", tr("Field of view"));
+    if (ImGui::SliderFloat(label.c_str(), &degrees, static_cast<float>(least_field_of_view),
+                           static_cast<float>(greatest_field_of_view), "%.0f°", ImGuiSliderFlags_AlwaysClamp))
+        camera.field_of_view = static_cast<double>(degrees) * degree;
+    widgets.note(name + ".field_of_view");
+    tooltip(tr("Of the perspective, from the lower to the upper edge of the picture; the eye stays where it is"));
+}
+
+void place_rows(Cut& cut, const Camera& camera, const Bounds& bounds, const std::string& name,
+                WidgetRegistry& widgets) {
     constexpr std::array rows{std::pair{Axis::x, "x"}, std::pair{Axis::y, "y"}, std::pair{Axis::z, "z"}};
-    ImGui::Indent();
-    for (const auto& [axis, name] : rows) {
-        if (ImGui::RadioButton(fmt::format("{}###{}", tr(name), name).c_str(), axis_of(*cut) == axis))
+    for (const auto& [axis, letter] : rows) {
+        if (ImGui::RadioButton(fmt::format("{}###{}", tr(letter), letter).c_str(), axis_of(cut) == axis))
             cut = section_across(axis, camera, bounds);
-        widgets.note(fmt::format("section.{}", name));
+        widgets.note(fmt::format("{}.{}", name, letter));
         tooltip(tr("Across this axis"));
         ImGui::SameLine();
     }
-    if (ImGui::SmallButton(tr("Flip"))) cut = flipped(*cut);
-    widgets.note("section.flip");
+    if (ImGui::SmallButton(tr("Flip"))) cut = flipped(cut);
+    widgets.note(name + ".flip");
     tooltip(tr("Leave out the other side"));
-    const auto [low, high] = extent_along(direction_of(axis_of(*cut)), bounds);
-    const double side = glm::dot(cut->normal, direction_of(axis_of(*cut))) < 0.0 ? -1.0 : 1.0;
-    auto place = static_cast<float>(side * cut->offset);
+    const auto [low, high] = extent_along(direction_of(axis_of(cut)), bounds);
+    const double side = glm::dot(cut.normal, direction_of(axis_of(cut))) < 0.0 ? -1.0 : 1.0;
+    double place = side * cut.offset;
     ImGui::SetNextItemWidth(150.0F * style::scale());
-    if (ImGui::SliderFloat("###place", &place, static_cast<float>(low), static_cast<float>(high), "%.2f m"))
-        cut->offset = side * static_cast<double>(place);
-    widgets.note("section.place");
+    if (length_slider("###place", place, low, high)) cut.offset = side * place;
+    widgets.note(name + ".place");
     tooltip(tr("Where the plane is"));
-    ImGui::Unindent();
+}
+
+}  // namespace
+
+bool section_rows(Camera& camera, const Bounds& bounds, const std::string& name, WidgetRegistry& widgets) {
+    const Camera before = camera;
+    lens_row(camera, name, widgets);
+    ImGui::Checkbox(fmt::format("{}###ceiling", tr("Without ceiling")).c_str(), &camera.left_out.ceiling);
+    widgets.note(name + ".ceiling");
+    tooltip(tr("Take the ceiling off, as of a doll's house; luminaires stay where they hang"));
+    std::optional<Cut>& cut = camera.left_out.cut;
+    bool is_cut = cut.has_value();
+    if (ImGui::Checkbox(fmt::format("{}###cut", tr("Section plane")).c_str(), &is_cut)) toggle_section(camera, bounds);
+    widgets.note(name + ".on");
+    tooltip(tr("Leave out what lies before a plane; its handle moves it in the picture"));
+    if (cut) {
+        ImGui::Indent();
+        place_rows(*cut, camera, bounds, name, widgets);
+        ImGui::Unindent();
+    }
+    return !(camera == before);
 }
 
 }  // namespace hanei

@@ -24,7 +24,11 @@ Vec3 handle_of(const Cut& cut, const Bounds& bounds);
 /// bounds; as it was when the ray runs along the normal. raster 0 is none.
 Cut moved_to(const Cut& cut, const Ray& ray, const Bounds& bounds, double raster);
 
-/// Rows of an open popup: the ceiling, the plane, its axis, side and place.
-void section_rows(Camera& camera, const Bounds& bounds, WidgetRegistry& widgets);
+/// Of perspective cameras, where they are edited: degrees.
+constexpr double least_field_of_view = 20.0, greatest_field_of_view = 100.0;
+
+/// Rows of an open popup: the field of view, the ceiling, the plane, its axis, side and place. Widgets are
+/// noted as "NAME.on", "NAME.place", ... Returns whether the camera was changed.
+bool section_rows(Camera& camera, const Bounds& bounds, const std::string& name, WidgetRegistry& widgets);
 
 }  // namespace hanei

@@ -1,6 +1,7 @@
 #include "ui/panels/state_text.h"
 
 #include "engine/edit/edit.h"
+#include "ui/panels/measure_tool.h"
 
 #include <fmt/format.h>
 #include <numbers>
@@ -93,6 +94,15 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
     state["range.low"] = fmt::format("{}", workbench.viewport().state.options.range.low);
     state["range.high"] = fmt::format("{}", workbench.viewport().state.options.range.high);
     state["probe"] = workbench.viewport().probe() ? workbench.viewport().probe()->text() : "";
+    if (const auto* const tool = dynamic_cast<const MeasureTool*>(workbench.viewport().tool())) {
+        const std::optional<Vec3> between = tool->distance();
+        state["measured"] = between ? fmt::format("{:.6f}", glm::length(*between)) : "";
+    }
+    state["walking"] = truth(workbench.is_on(CommandId::walk_through));
+    const Camera& camera = workbench.viewport().state.camera;
+    for (int axis = 0; axis < 3; ++axis)
+        state[fmt::format("eye.{}", "xyz"[axis])] = fmt::format("{}", camera.eye[axis]);
+    state["field of view"] = fmt::format("{:.6f}", camera.field_of_view * 180.0 / std::numbers::pi);
     state["scale kept"] = truth(scene.colour_scale.has_value());
     state["scale steps"] = std::string(name_of(workbench.viewport().state.options.steps));
     note_readings(workbench.readings(), state);

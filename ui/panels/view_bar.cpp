@@ -144,7 +144,7 @@ std::optional<ViewEdit> views_menu(ViewState& state, const Scene& scene, WidgetR
                "Ceiling, section plane, and cameras kept with the project. Ctrl+K keeps the present one", widgets))
         ImGui::OpenPopup("views");
     if (!ImGui::BeginPopup("views")) return std::nullopt;
-    section_rows(state.camera, bounds_of(scene), widgets);
+    section_rows(state.camera, bounds_of(scene), "section", widgets);
     ImGui::Separator();
     std::optional<ViewEdit> edit = saved_view_rows(state, scene, widgets);
     ImGui::EndPopup();
@@ -154,7 +154,8 @@ std::optional<ViewEdit> views_menu(ViewState& state, const Scene& scene, WidgetR
 /// Of the whole bar with its words.
 float width_of_words() {
     const float padding = 2.0F * ImGui::GetStyle().FramePadding.x + 2.0F * style::scale();
-    float width = 3.0F * 12.0F * style::scale();  // the gaps
+    float width = 3.0F * 12.0F * style::scale();                        // the gaps
+    width += 2.0F * (ImGui::GetFrameHeight() + 2.0F * style::scale());  // tools
     for (const char* word : {"Total", "Direct", "Interreflected", "Unshadowed", "Four", "False colour", "Photo",
                              "Shadows", "Outlines", "Scale", "Views"})
         width += ImGui::CalcTextSize(tr(word)).x + padding;

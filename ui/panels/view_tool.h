@@ -48,6 +48,12 @@ public:
     /// Whether the tool means this chord for itself; commands do not get it then.
     virtual bool takes(const Chord&) const { return false; }
 
+    /// Mouse buttons and the wheel turn the view as the tool says, not as they otherwise do.
+    virtual bool turns_view() const { return false; }
+
+    /// Goes on by itself: frames are due without input.
+    virtual bool is_moving() const { return false; }
+
     /// What to do next, for the status line: "Click the next corner; Enter closes the plan".
     virtual std::string hint() const = 0;
 };

@@ -22,7 +22,7 @@ float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
-void Viewport::frame(const Bounds& bounds) { state.camera = fitted(state.camera, bounds, aspect()); }
+void Viewport::frame(const Bounds& bounds) { state.go_to(fitted(state.camera, bounds, aspect())); }
 
 Viewport::Pointed Viewport::pointed(const Scene& scene, ImVec2 at) const {
     const std::optional<int> under = state.panes.under(at);
@@ -71,17 +71,22 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
     PaneSet& panes = state.panes;
     panes.lay_out(all, state.camera);
     panes.follow_shapes(state.camera, bounds_of(*input.scene), covered());
-    panes.lay_out(all, state.camera);
+    follow_passage();
+    panes.lay_out(all, present_camera());
     ImGui::InvisibleButton(
         "view", {all.right - all.left, all.bottom - all.top},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();  // the scale and its fields stand over it
     widgets.note("view");
     const bool hovered = ImGui::IsItemHovered();
+    if (passage_ && (ImGui::IsItemActivated() || (hovered && ImGui::GetIO().MouseWheel != 0.0F))) {
+        passage_.reset();  // what is done is done to the picture at its end
+        panes.lay_out(all, state.camera);
+    }
     choose_pane(hovered);
 
     Outcome outcome = handle_mouse(input, hovered);
-    panes.lay_out(all, state.camera);  // with the cameras as they are after that
+    panes.lay_out(all, present_camera());  // with the cameras as they are after that
     read_light(input, panes.pane(under_pointer_), hovered);
     paint_panes(input, paint);
     ImDrawList& draw_list = *ImGui::GetWindowDrawList();
@@ -96,6 +101,7 @@ Viewport::Outcome Viewport::draw(const Input& input, const ViewPainter& paint, W
         else
             draw_handles(input, each, widgets);
         draw_section(input, k, widgets);
+        draw_aids(input, k, widgets);
         if (drag_ && drag_->begun && !drag_->over) draw_guides(each, drag_->gesture);
         draw_list.PopClipRect();
     }
@@ -113,7 +119,7 @@ Viewport::Outcome Viewport::handle_mouse(const Input& input, bool hovered) {
     const Pane pane = state.panes.pane(under_pointer_);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (tool_) {
-        look_around(pane);
+        if (!tool_->turns_view()) look_around(pane);
         return handle_tool(input, hovered);
     }
     Outcome outcome;

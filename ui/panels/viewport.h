@@ -27,6 +27,15 @@ struct ViewState {
     bool keep_asked = false;                    ///< of the scale, with the project
     bool automatic_asked = false;               ///< of the scale: no longer kept with the project
     std::optional<std::string> levels_typed{};  ///< isolux levels that are being typed
+    bool axes = true, scale_bar = true;         ///< over every picture
+    bool distances = true;                      ///< of what is chosen to the walls, in plans
+    std::optional<Camera> came_from{};          ///< the picture glides from there to `camera`
+
+    /// Looks from there; the picture glides to it, while all else takes it for there already.
+    void go_to(const Camera& there) {
+        came_from = camera;
+        camera = there;
+    }
 
     PaneSet::Present present() { return {camera, options.part}; }
     void choose(PaneLayout layout, const Scene& scene) { panes.choose(layout, present(), bounds_of(scene)); }
@@ -76,7 +85,9 @@ public:
 
     bool dragging() const { return drag_.has_value(); }
     std::string drag_text() const { return drag_ && drag_->begun ? drag_->gesture.readout() : std::string(); }
-    bool moving() const { return drag_.has_value() || turning_; }
+    bool moving() const { return drag_.has_value() || turning_ || goes_on(); }
+    /// Something moves without input: frames are due.
+    bool goes_on() const { return passage_.has_value() || (tool_ && tool_->is_moving()); }
     const std::optional<Probe>& probe() const { return probe_; }
 
     /// What lies at a place of the screen.
@@ -96,6 +107,9 @@ public:
     /// Pixels at the right that the scale stands in: presets keep the room clear of it.
     float right_margin = 0.0F;
 
+    /// s that the picture takes to glide to another place; 0: it is there at once.
+    double passage_seconds = 0.0;
+
     void look_from(Standpoint standpoint, const Scene& scene);
     void frame(const Bounds& bounds);  ///< all of it as large as can be, from the present direction
 
@@ -108,6 +122,9 @@ private:
 
     void draw_isolux_labels(const Input& input, const Pane& pane, int k);
     void paint_panes(const Input& input, const ViewPainter& paint);
+    void follow_passage();
+    Camera present_camera() const;  ///< as the active picture shows it
+    void draw_aids(const Input& input, int k, WidgetRegistry& widgets);
     float covered() const { return state.panes.layout() == PaneLayout::single ? right_margin : 0.0F; }
     void choose_pane(bool hovered);
     void look_around(const Pane& pane);
@@ -136,6 +153,13 @@ private:
     float right_edge_ = 0.0F;
     std::optional<Drag> drag_;
     std::unique_ptr<ViewTool> tool_;
+    struct Passage {
+        Camera from;
+        double share = 0.0;  ///< of its time that is over
+        PaneLayout layout = PaneLayout::single;
+        int active = 0;  ///< the picture that glides
+    };
+    std::optional<Passage> passage_;
     bool turning_ = false;
     bool pressed_twice_ = false;
     ImVec2 pressed_at_{0.0F, 0.0F};

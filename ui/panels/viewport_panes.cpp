@@ -48,7 +48,9 @@ void ViewState::toggle_shadow_classes(const Scene& scene) {
 }
 
 void Viewport::look_from(Standpoint standpoint, const Scene& scene) {
+    const Camera from = state.camera;
     state.panes.look_from(standpoint, state.camera, bounds_of(scene), covered());
+    state.came_from = from;
 }
 
 /// A press or the wheel makes the picture under the pointer the active one.
@@ -96,7 +98,7 @@ void Viewport::pane_menu(const Input& input, int k, WidgetRegistry& widgets) {
     if (!scene.views.empty()) ImGui::Separator();
     for (const View& view : scene.views) {
         const std::string label = fmt::format("{}##{}", display_name(scene, view.id), view.id.value);
-        if (ImGui::MenuItem(label.c_str(), nullptr, camera_of(view) == state.camera)) state.camera = camera_of(view);
+        if (ImGui::MenuItem(label.c_str(), nullptr, camera_of(view) == state.camera)) state.go_to(camera_of(view));
     }
     ImGui::Separator();
     for (const auto& [part, name] : part_names) {
@@ -114,7 +116,7 @@ void Viewport::draw_pane_title(const Input& input, int k, WidgetRegistry& widget
     const LightPart part = state.panes.part(k, state.options.part);
     if (state.panes.shows_parts()) return draw_title(pane, tr(heading_of(part)).data());
     const float scale = style::scale();
-    const std::string look = name_of_look(*input.scene, pane.camera);
+    const std::string look = name_of_look(*input.scene, state.panes.camera(k, state.camera));
     const std::string text = fmt::format("{}  ·  {}     ###title{}", look, tr(part_name(part)), k);
     ImGui::SetCursorScreenPos({pane.left + 10.0F * scale, pane.top + 10.0F * scale});
     ImGui::PushStyleColor(ImGuiCol_Button, style::card);

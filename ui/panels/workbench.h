@@ -132,6 +132,7 @@ private:
 
     void menu_bar();
     void tool_bar(const ScreenRect& area);
+    void view_bar_tools();
     void centre(const ScreenRect& area, const ViewPainter& paint);
     void left(const ScreenRect& area);
     void right(const ScreenRect& area);

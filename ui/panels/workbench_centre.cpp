@@ -1,12 +1,31 @@
+#include "ui/panels/icon.h"
+#include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/style.h"
 #include "ui/panels/tool_bar.h"
 #include "ui/panels/view_bar.h"
 #include "ui/panels/workbench.h"
 
+#include <fmt/format.h>
 #include <imgui_internal.h>
 
 namespace hanei {
+namespace {
+
+constexpr double passage_seconds = 0.25;
+
+}  // namespace
+
+/// Beside the views: what is done in them.
+void Workbench::view_bar_tools() {
+    for (const CommandId id : {CommandId::walk_through, CommandId::measure_distance}) {
+        const Command& entry = command(id);
+        ImGui::SameLine(0.0F, 2.0F * style::scale());
+        const std::string help = fmt::format("{}  {}\n{}", tr(entry.label), to_text(entry.chord), tr(entry.help));
+        const std::string name = fmt::format("bar.{}", entry.name);
+        if (icon_button(name.c_str(), icon_of(entry.name), help, is_on(id), widgets_)) carry_out(id);
+    }
+}
 
 void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     const float scale = style::scale();
@@ -15,7 +34,8 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     begin_panel("##bar", {area.left, area.top, area.right, area.top + bar});
     ImGui::PopStyleVar();
     if (auto edit = view_bar(viewport_.state, *document_.shown(), study_.solution(), widgets_))
-        document_.commit(std::move(edit->scene), edit->step);
+        propose(std::move(edit->scene), std::move(edit->step));
+    view_bar_tools();
     end_panel();
     const float strip = tool_bar_width();
     tool_bar({area.left, area.top + bar, area.left + strip, area.bottom});
@@ -23,6 +43,7 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, style::ground);
     begin_panel("##view", view, false);
     viewport_.right_margin = legend_margin();
+    viewport_.passage_seconds = preferences_.glides && !how_.repeatable ? passage_seconds : 0.0;
     const SolutionSnapshot kept = readings_.snapshots.follow(study_.answer(), is_flipped());
     Viewport::Input input{document_.shown(),
                           kept ? kept : study_.solution(),

@@ -35,6 +35,7 @@ PictureRequest Workbench::picture_request() const {
     const PixelSize size{1600, static_cast<int>(1600.0 / viewport_.aspect())};
     PictureRequest request{viewport_.state.camera, viewport_.state.options, size, true, {}};
     request.options.shadows_of = selection_.primary();
+    request.length = preferences_.length;
     return request;
 }
 

@@ -30,7 +30,7 @@ void Workbench::objects_tab() {
     if (clicked.chosen) {
         selection_ = *clicked.chosen;
         for (const View& view : document_.shown()->views)
-            if (view.id == selection_.primary() && !clicked.menu_wished) viewport_.state.camera = camera_of(view);
+            if (view.id == selection_.primary() && !clicked.menu_wished) viewport_.state.go_to(camera_of(view));
     }
     if (clicked.menu_wished) open_context_menu(selection_);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsAnyItemHovered())

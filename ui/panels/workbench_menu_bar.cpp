@@ -1,6 +1,8 @@
 #include "ui/panels/icon.h"
 #include "ui/panels/language.h"
+#include "ui/panels/measure_tool.h"
 #include "ui/panels/style.h"
+#include "ui/panels/walk_tool.h"
 #include "ui/panels/workbench.h"
 
 #include <cmath>
@@ -10,11 +12,59 @@
 namespace hanei {
 namespace {
 
-/// With the command's drawing before its words; the words of all stand below each other.
+/// As wide as a command's drawing, so that the words of all rows stand below each other.
+std::string blank_of_icon() {
+    return std::string(static_cast<std::size_t>(std::ceil(1.5F * icon_size() / ImGui::CalcTextSize(" ").x)), ' ');
+}
+
+/// The menus that are open on the way along the commands: one of the bar, and one within it.
+class OpenMenus {
+public:
+    /// Whether the command's row is on the screen.
+    bool reaches(const Command& entry, WidgetRegistry& widgets) {
+        if (entry.menu != menu_) {
+            close();
+            menu_ = entry.menu;
+            is_open_ = ImGui::BeginMenu(fmt::format("{}###{}", tr(menu_), menu_).c_str());
+            widgets.note(fmt::format("menu.{}", menu_));
+        }
+        if (!is_open_) return false;
+        if (entry.group == group_) {
+            if (entry.starts_section && shows_row()) ImGui::Separator();
+            return shows_row();
+        }
+        close_group();
+        group_ = entry.group;
+        if (entry.starts_section) ImGui::Separator();
+        if (group_.empty()) return true;
+        const std::string label = fmt::format("{}###{}", tr(group_), group_);
+        group_is_open_ = ImGui::BeginMenuEx(label.c_str(), blank_of_icon().c_str());
+        widgets.note(fmt::format("menu.{}.{}", menu_, group_));
+        return group_is_open_;
+    }
+    void close() {
+        close_group();
+        if (is_open_) ImGui::EndMenu();
+        is_open_ = false;
+    }
+
+private:
+    bool shows_row() const { return group_.empty() || group_is_open_; }
+    void close_group() {
+        if (group_is_open_) ImGui::EndMenu();
+        group_is_open_ = false;
+        group_ = {};
+    }
+
+    std::string_view menu_, group_;
+    bool is_open_ = false, group_is_open_ = false;
+};
+
+/// With the command's drawing before its words.
 bool menu_item(const std::string& label, const Command& entry, bool ticked, bool can) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float size = icon_size();
-    const std::string blank(static_cast<std::size_t>(std::ceil(1.5F * size / ImGui::CalcTextSize(" ").x)), ' ');
+    const std::string blank = blank_of_icon();
     const bool wished = ImGui::MenuItemEx((label + "###" + std::string(entry.name)).c_str(), blank.c_str(),
                                           to_text(entry.chord).c_str(), ticked, can);
     const float below = 0.5F * (ImGui::GetTextLineHeight() - size);
@@ -40,6 +90,16 @@ bool Workbench::is_on(CommandId id) const {
             return view.camera.left_out.ceiling;
         case CommandId::toggle_section_plane:
             return view.camera.left_out.cut.has_value();
+        case CommandId::walk_through:
+            return dynamic_cast<const WalkTool*>(viewport_.tool()) != nullptr;
+        case CommandId::measure_distance:
+            return dynamic_cast<const MeasureTool*>(viewport_.tool()) != nullptr;
+        case CommandId::toggle_axes:
+            return view.axes;
+        case CommandId::toggle_scale_bar:
+            return view.scale_bar;
+        case CommandId::toggle_distances:
+            return view.distances;
         case CommandId::toggle_orthographic:
             return view.camera.orthographic;
         case CommandId::toggle_shadow_classes:
@@ -69,18 +129,9 @@ bool Workbench::is_on(CommandId id) const {
 
 void Workbench::menu_bar() {
     if (!ImGui::BeginMainMenuBar()) return;
-    std::string_view menu;
-    bool open = false;
+    OpenMenus open;
     for (const Command& entry : commands()) {
-        if (entry.menu.empty()) continue;
-        if (entry.menu != menu) {
-            if (open) ImGui::EndMenu();
-            menu = entry.menu;
-            open = ImGui::BeginMenu(fmt::format("{}###{}", tr(menu), menu).c_str());
-            widgets_.note("menu." + std::string(menu));
-        }
-        if (!open) continue;
-        if (entry.starts_section) ImGui::Separator();
+        if (entry.menu.empty() || !open.reaches(entry, widgets_)) continue;
         std::string label(tr(entry.label));
         style::needs(label);
         if (entry.id == CommandId::undo && can(entry.id)) label += ": " + phrase(document_.history().undo_name());
@@ -93,7 +144,7 @@ void Workbench::menu_bar() {
         if (const auto recent = recent_menu_.draw(preferences_.recent, widgets_))
             guarded([this, file = *recent] { load(file); });
     }
-    if (open) ImGui::EndMenu();
+    open.close();
     const std::string name = (document_.is_saved() ? "" : "•  ") + document_.title();
     const float width = ImGui::CalcTextSize(name.c_str()).x;
     ImGui::SameLine(ImGui::GetWindowWidth() - width - 28.0F * style::scale());

@@ -44,7 +44,15 @@ void Workbench::properties_tab() {
     std::optional<Scene> wished = several_panel_.draw(scene, selection_, form_);
     form_.end();
     ImGui::PopID();
-    if (wished) propose(std::move(*wished), step_name(*scene, selection_));
+    if (!wished) return;
+    // The picture follows a view that it shows.
+    const auto camera_in = [&](const Scene& each) {
+        for (const View& view : each.views)
+            if (view.id == selection_.primary()) return std::optional(camera_of(view));
+        return std::optional<Camera>();
+    };
+    if (camera_in(*scene) == viewport_.state.camera) viewport_.state.camera = *camera_in(*wished);
+    propose(std::move(*wished), step_name(*scene, selection_));
 }
 
 void Workbench::room_tab() {

@@ -3,6 +3,7 @@
 
 #include "ui/view/exact_picture.h"
 #include "ui/view/image.h"
+#include "ui/view/length_unit.h"
 #include "ui/view/renderer.h"
 
 #include <memory>
@@ -38,6 +39,9 @@ struct PictureRequest {
     /// The room in this camera and with these options, of view_size; null: as the window shows it.
     std::shared_ptr<const ExactPicture> exact = nullptr;
     bool has_legend = true, has_caption = true;  ///< of an annotated picture
+    bool has_scale_bar = true;                   ///< of one that is annotated and to scale
+    bool has_axes = false;
+    LengthUnit length = LengthUnit::metre;  ///< of the scale bar
 };
 
 /// Part of the picture that shows the room; the rest is legend and caption. Fit cameras to its

@@ -3,6 +3,7 @@
 #include "ui/view/isolux_labels.h"
 #include "ui/view/legend.h"
 #include "ui/view/offscreen.h"
+#include "ui/view/picture_aids.h"
 #include "ui/view/value_labels.h"
 
 #include <algorithm>
@@ -128,11 +129,13 @@ Image render_picture(SolutionSnapshot solution, const PictureRequest& request) {
     const PixelSize view = view_size(request);
     const Image room =
         drawn(renderer, request.camera, request.options, view, request.exact ? &request.exact->room : nullptr);
-    if (!request.annotated) return room;
+    if (!request.annotated && !request.has_axes) return room;
     const Page page = page_of(request);
     Canvas canvas(request.size);
     canvas.fill(paper);
     canvas.picture(room, 0, 0);
+    letter_aids(canvas, request, 0, 0, view, page.scale);
+    if (!request.annotated) return canvas.image();
     if (!request.options.values) letter_lines(canvas, *solution, request, view, 0, 0, page.scale);
     letter_values(canvas, *solution, request, view, 0, 0, page.scale);
     letter_page(canvas, *solution, request, page);
@@ -159,6 +162,7 @@ Image render_four_up(SolutionSnapshot solution, const PictureRequest& asked) {
         const int x = gap + static_cast<int>(k % 2) * (size.width + gap);
         const int y = title + static_cast<int>(k / 2) * (size.height + title);
         canvas.picture(drawn(renderer, request.camera, request.options, size), x, y);
+        if (k == 0) letter_aids(canvas, request, x, y, size, 0.85 * page.scale);
         canvas.text(x + 2.0, y - 8.0 * page.scale, canvas.fitted(panels[k].name, heading, size.width), heading);
         if (!has_part(*solution, panels[k].part)) {
             canvas.text(x + 0.5 * size.width, y + size.height - 12.0 * page.scale, "Not computed in this study",

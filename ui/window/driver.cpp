@@ -207,7 +207,7 @@ Driver::Fault Driver::drop_on_object(std::vector<std::filesystem::path> files, c
     return {};
 }
 
-Driver::Fault Driver::press(std::string_view text) {
+Driver::Fault Driver::press(std::string_view text, double seconds) {
     const std::optional<Chord> chord = chord_of(text);
     if (!chord) return "there is no key \"" + std::string(text) + "\"";
     InputQueue& input = desk_->input();
@@ -218,6 +218,10 @@ Driver::Fault Driver::press(std::string_view text) {
     };
     modifiers(true);
     input.key(chord->key, true);
+    if (seconds > 0.0) {
+        while (!input.empty()) frames(1);
+        frames(static_cast<int>(std::lround(seconds / static_cast<double>(frame_seconds))) - 1);
+    }
     input.key(chord->key, false);
     modifiers(false);
     run_queue();

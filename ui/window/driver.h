@@ -57,7 +57,7 @@ public:
     Fault drag_object(const std::string& object, const Vec3& by);  ///< metres: in the plan, or by the z arrow
     /// The same within `seconds` of real time, 60 frames a second if they can be had, as a hand does it.
     Fault drag_object(const std::string& object, const Vec3& by, double seconds);
-    Fault press(std::string_view chord);
+    Fault press(std::string_view chord, double seconds = 0.0);  ///< held for so long, in made-up time
     void type(std::string_view text);
     void wheel(float notches);
     void point_at(float x, float y);

@@ -63,6 +63,7 @@ public:
         if (verb == "record") return record(words);
         if (is("report", 2) && words[1] == "latency") return report();
         if (is("key", 2)) return driver_.press(words[1]);
+        if (is("key", 4) && words[2] == "for") return press_for(words);
         if (is("type", 2)) return driver_.type(words[1]), Fault{};
         if (is("wait", 2)) return wait(words[1]);
         if (is("shot", 2)) return write_png(driver_.picture(), words[1]), Fault{};
@@ -130,6 +131,12 @@ private:
             return fault;
         driver_.button(0, true);
         return {};
+    }
+
+    Fault press_for(const Words& words) {
+        const auto seconds = figure_of(words[3]);
+        if (!seconds || !(*seconds > 0.0 && *seconds <= 600.0)) return "key wants CHORD for SECONDS, up to 600";
+        return driver_.press(words[1], *seconds);
     }
 
     Fault move(const Words& words) {

@@ -16,6 +16,7 @@
 ///     drop FILE... X Y | drop FILE... object NAME
 ///     wheel NOTCHES
 ///     key CHORD                     Ctrl+Z, Delete, F1
+///     key CHORD for SECONDS         held down, in made-up time
 ///     type TEXT
 ///     wait converged | wait exact | wait FRAMES
 ///     shot FILE.png                 the whole window

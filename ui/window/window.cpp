@@ -149,7 +149,7 @@ void write_state(const Workbench& workbench, const std::filesystem::path& file, 
 }
 
 void wait_for_events(Reach& reach) {
-    if (reach.frames_due > 0 || !reach.desk.input().empty())
+    if (reach.frames_due > 0 || !reach.desk.input().empty() || reach.desk.workbench().viewport().goes_on())
         glfwPollEvents();
     else if (reach.desk.workbench().study().busy() || reach.desk.workbench().exact().busy())
         glfwWaitEventsTimeout(look_at_progress_every);
