@@ -118,6 +118,17 @@ TEST(GltfModels, a_tray_without_a_lid_is_five_sheets_lit_on_both_sides) {
     EXPECT_TRUE(tells(import, "5 faces stand free as surfaces, lit on both sides"));
 }
 
+TEST(GltfModels, sheets_of_one_node_arrive_as_a_group_of_its_name_and_a_single_one_alone) {
+    const GltfImport tray = imported("tray.gltf");
+    ASSERT_EQ(tray.scene->object_groups.size(), 1U);
+    EXPECT_EQ(tray.scene->object_groups[0].name, "tray");
+    ASSERT_EQ(tray.scene->object_groups[0].members.size(), tray.scene->surfaces.size());
+    for (std::size_t k = 0; k < tray.scene->surfaces.size(); ++k)
+        EXPECT_EQ(tray.scene->object_groups[0].members[k], tray.scene->surfaces[k].id);
+    EXPECT_TRUE(imported("partition.gltf").scene->object_groups.empty());
+    EXPECT_TRUE(imported("desk.gltf").scene->object_groups.empty()) << "one piece of furniture is no group";
+}
+
 TEST(GltfModels, a_partition_of_one_side_is_one_sheet_and_its_black_back_is_told) {
     const GltfImport import = imported("partition.gltf");
     ASSERT_EQ(import.sheets, 1);
