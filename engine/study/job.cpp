@@ -1,5 +1,7 @@
 #include "engine/study/job.h"
 
+#include "engine/base/stand_back.h"
+
 #include <exception>
 
 namespace hanei {
@@ -74,7 +76,9 @@ void Job::post(SolutionSnapshot solution) {
     wake_();
 }
 
+/// The window's own thread draws: it goes first.
 void Job::serve(const std::stop_token& end) {
+    stand_back();
     Study study;
     while (true) {
         std::optional<Request> request;

@@ -1,5 +1,6 @@
 #include "ui/panels/exact_panel.h"
 
+#include "engine/base/stand_back.h"
 #include "engine/base/tiles.h"
 #include "ui/panels/language.h"
 #include "ui/panels/style.h"
@@ -31,6 +32,7 @@ void ExactPanel::start(SolutionSnapshot solution, PictureRequest request) {
     const ExactRequest exact{request_.camera, request_.options, view_size(request_), rays_at_edges};
     const int threads = solution_->settings.threads > 0 ? solution_->settings.threads : hardware_threads();
     painting_ = std::jthread([this, exact, threads, painted = solution_](const std::stop_token& stop) {
+        stand_back();
         std::shared_ptr<const ExactPicture> room;
         std::string failure;
         try {

@@ -13,7 +13,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr float frame_seconds = 1.0F / 60.0F;
 constexpr int drag_steps = 12;
-constexpr int settling_frames = 3;  // as the window draws after input
+constexpr int settling_frames = 3;                               // as the window draws after input
+constexpr std::chrono::milliseconds look_at_progress_every{50};  // as the window does while a study runs
 
 ImVec2 middle(const ScreenRect& rect) { return {std::round(rect.x()), std::round(rect.y())}; }
 
@@ -69,7 +70,7 @@ bool Driver::wait_until(const std::function<bool()>& so, double seconds) {
     frames(1);
     while (!so()) {
         std::unique_lock lock(mutex_);
-        wakes_.wait_for(lock, std::chrono::milliseconds(20), [&] { return woken_; });
+        wakes_.wait_for(lock, look_at_progress_every, [&] { return woken_; });
         woken_ = false;
         lock.unlock();
         frames(1);
