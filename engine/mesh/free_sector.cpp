@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace hanei {
 
@@ -37,36 +38,89 @@ Sector sector_of(const Patch& patch, const Vec3& normal, const Vec3& place, doub
     return sector;
 }
 
-bool may_touch(const Patch& patch, const Vec3& place, double same_place) {
-    Vec3 low(std::numeric_limits<double>::infinity());
-    Vec3 high = -low;
-    for (const Vec3& corner : patch.outline) {
-        low = glm::min(low, corner);
-        high = glm::max(high, corner);
+struct Extent {
+    Vec3 low{std::numeric_limits<double>::infinity()};
+    Vec3 high{-std::numeric_limits<double>::infinity()};
+
+    void take_in(std::span<const Vec3> places) {
+        for (const Vec3& place : places) {
+            low = glm::min(low, place);
+            high = glm::max(high, place);
+        }
     }
-    const Vec3 beyond = glm::max(low - place, place - high);
+};
+
+bool may_touch(const Patch& patch, const Vec3& place, double same_place) {
+    Extent extent;
+    extent.take_in(patch.outline);
+    const Vec3 beyond = glm::max(extent.low - place, place - extent.high);
     return std::max({beyond.x, beyond.y, beyond.z}) <= same_place;
 }
+
+/// What patches fill around a place, one after the other.
+class Filled {
+public:
+    Filled(const Vec3& normal, const Vec3& place, double same_place)
+        : normal_(normal), place_(place), same_place_(same_place) {}
+
+    void add(const Patch& patch) {
+        if (!may_touch(patch, place_, same_place_)) return;
+        const Sector sector = sector_of(patch, normal_, place_, same_place_);
+        angle_ += sector.angle;
+        sum_ += 2.0 * std::sin(0.5 * sector.angle) * sector.middle;  // the integral of all its directions
+        if (sector.angle > widest_.angle) widest_ = sector;
+    }
+
+    FreeSector sector() const {
+        constexpr double closed = 2.0 * std::numbers::pi - 1e-6;  // angles between corners 1e-9 of the room apart
+        if (angle_ <= 0.0 || angle_ >= closed) return {angle_, Vec3(0.0)};
+        const double length = glm::length(sum_);
+        return {angle_, length > 1e-3 ? sum_ / length : widest_.middle};  // opposite sectors cancel: take one of them
+    }
+
+private:
+    Vec3 normal_, place_;
+    double same_place_, angle_ = 0.0;
+    Vec3 sum_{0.0};
+    Sector widest_;
+};
 
 }  // namespace
 
 FreeSector free_sector(const Mesh& mesh, const MeshFace& face, const Vec3& place, double same_place) {
-    FreeSector found;
-    Vec3 sum(0.0);
-    Sector widest;
-    for (std::uint32_t k = 0; k < face.patch_count; ++k) {
-        const Patch& patch = mesh.patches[face.first_patch + k];
-        if (!may_touch(patch, place, same_place)) continue;
-        const Sector sector = sector_of(patch, face.face.normal, place, same_place);
-        found.angle += sector.angle;
-        sum += 2.0 * std::sin(0.5 * sector.angle) * sector.middle;  // the integral of all its directions
-        if (sector.angle > widest.angle) widest = sector;
+    Filled filled(face.face.normal, place, same_place);
+    for (std::uint32_t k = 0; k < face.patch_count; ++k) filled.add(mesh.patches[face.first_patch + k]);
+    return filled.sector();
+}
+
+SectorFinder::SectorFinder(const Mesh& mesh, const MeshFace& face) : mesh_(mesh), face_(face) {
+    Extent all;
+    all.take_in(face.face.region.outline);
+    const Vec3 size = all.high - all.low;
+    if (size.y > size.x) axis_ = 1;
+    if (size.z > size[axis_]) axis_ = 2;
+    beginnings_.reserve(face.patch_count);
+    for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
+        Extent extent;
+        extent.take_in(mesh.patches[p].outline);
+        beginnings_.push_back({extent.low[axis_], p});
+        widest_ = std::max(widest_, extent.high[axis_] - extent.low[axis_]);
     }
-    constexpr double closed = 2.0 * std::numbers::pi - 1e-6;  // angles between corners 1e-9 of the room apart
-    if (found.angle <= 0.0 || found.angle >= closed) return found;
-    const double length = glm::length(sum);
-    found.inward = length > 1e-3 ? sum / length : widest.middle;  // opposite sectors cancel: take one of them
-    return found;
+    std::sort(beginnings_.begin(), beginnings_.end(),
+              [](const Beginning& a, const Beginning& b) { return a.low < b.low; });
+}
+
+FreeSector SectorFinder::at(const Vec3& place, double same_place) const {
+    const double from = place[axis_] - widest_ - same_place;
+    auto next = std::lower_bound(beginnings_.begin(), beginnings_.end(), from,
+                                 [](const Beginning& beginning, double low) { return beginning.low < low; });
+    std::vector<std::uint32_t> touching;
+    for (; next != beginnings_.end() && next->low <= place[axis_] + same_place; ++next)
+        if (may_touch(mesh_.patches[next->patch], place, same_place)) touching.push_back(next->patch);
+    std::sort(touching.begin(), touching.end());  // sums in the order of the patches: the same bits always
+    Filled filled(face_.face.normal, place, same_place);
+    for (const std::uint32_t patch : touching) filled.add(mesh_.patches[patch]);
+    return filled.sector();
 }
 
 double diameter_of(const Mesh& mesh) {

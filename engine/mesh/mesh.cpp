@@ -61,13 +61,14 @@ private:
 
     void turn_inward(const MeshFace& face, const std::vector<Polygon>& covers) {
         const double near = 4.0 * contacts_.same_place();
+        const SectorFinder sectors(mesh_, face);
         for (std::uint32_t k = 0; k < face.vertex_count; ++k) {
             Receiver& receiver = mesh_.vertices[face.first_vertex + k].receiver;
             const auto touches = [&](const Polygon& loop) { return on_edge(loop, receiver.position, near); };
             const Region& region = face.face.region;
             if (touches(region.outline) || std::any_of(region.holes.begin(), region.holes.end(), touches) ||
                 std::any_of(covers.begin(), covers.end(), touches)) {
-                receiver.inward = free_sector(mesh_, face, receiver.position, near).inward;
+                receiver.inward = sectors.at(receiver.position, near).inward;
             }
         }
     }

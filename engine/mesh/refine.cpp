@@ -111,13 +111,14 @@ private:
                 coarse_.vertices[before.first_vertex + k].receiver.inward;
         }
         const std::set<Edge> edges = edges_of(before);
+        const SectorFinder sectors(coarse_, before);
         for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
             const Patch& whole = coarse_[origin_[p]];
             for (const VertexId corner : mesh_.patches[p].corners) {
                 if (static_cast<std::uint32_t>(corner) < face.first_vertex + before.vertex_count) continue;
                 Receiver& receiver = mesh_.vertices[static_cast<std::size_t>(corner)].receiver;
                 if (!is_on_open_edge(whole, edges, receiver.position)) continue;
-                receiver.inward = free_sector(coarse_, before, receiver.position, 4.0 * same_place_).inward;
+                receiver.inward = sectors.at(receiver.position, 4.0 * same_place_).inward;
             }
         }
     }

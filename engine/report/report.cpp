@@ -102,7 +102,7 @@ std::string times_text(const Solution& solution) {
 std::string summary_text(const Solution& solution) {
     std::string text = solution.scene->title + "\n\n" + grids_text(solution) + points_text(solution);
     text += fmt::format("method {}, {} patches at {} m, {} bounces{}\n", name_of(solution.settings.method),
-                        solution.mesh->patches.size(), solution.settings.max_patch, solution.bounces,
+                        solution.mesh->patches.size(), solution.patch_width, solution.bounces,
                         solution.converged ? "" : " (not converged: see the error bars)");
     text += fmt::format("iteration {}; typical mesh error {:.2g} lx\n", bound_text(solution.iteration_bound),
                         solution.typical_mesh_error);

@@ -62,7 +62,7 @@ std::string values_json(const Solution& solution) {
     Json json{{"title", solution.scene->title},
               {"method", name_of(solution.settings.method)},
               {"patches", solution.mesh->patches.size()},
-              {"max_patch_m", solution.settings.max_patch},
+              {"max_patch_m", solution.patch_width},
               {"bounces", solution.bounces},
               {"converged", solution.converged}};
     json["grids"] = Json::array();

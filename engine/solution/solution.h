@@ -109,6 +109,8 @@ struct Solution {
     std::vector<double> patch_direct;          ///< lx, mean over each patch
     std::vector<double> patch_interreflected;  ///< lx
 
+    double patch_width = 0.0;  ///< m, wished for in the end: that of the settings, or the least that can be solved
+
     /// What points gather light from: one value a patch, or four of a linear patch (transport/nodes.h).
     int nodes_a_patch = 1;
     std::vector<double> exitance;             ///< lm/m2, solved

@@ -3,6 +3,7 @@
 #include "engine/study/value_stage.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <string>
 
 namespace hanei {
@@ -58,6 +59,13 @@ void take_times(Solution& solution, std::vector<StageTime> times) {
         if (effect.effect == Effect::interreflection) effect.measured_ms = ms_of({Stage::factors, Stage::balance});
         if (effect.effect == Effect::bounces) effect.measured_ms = ms_of({Stage::balance});
     }
+}
+
+void note_width(Solution& solution) {
+    if (solution.patch_width <= solution.settings.max_patch) return;
+    solution.notes.push_back(
+        fmt::format("Patches of {:.3g} m would be more than can be solved: computed with patches of {:.3g} m.",
+                    solution.settings.max_patch, solution.patch_width));
 }
 
 void note_divergence(Solution& solution) {

@@ -11,6 +11,9 @@ void take_answer(Solution& solution, const Level& level, const LevelAnswer& answ
 /// Times of the stages, and of the effects that they computed.
 void take_times(Solution& solution, std::vector<StageTime> times);
 
+/// Says in a sentence that patches were made wider than asked, when they were.
+void note_width(Solution& solution);
+
 /// Says in a sentence why the iteration did not end, when it did not.
 void note_divergence(Solution& solution);
 

@@ -3,6 +3,7 @@
 #include "engine/base/tiles.h"
 #include "engine/direct/light_on_luminaires.h"
 #include "engine/geometry/polygon.h"
+#include "engine/mesh/patch_count.h"
 #include "engine/scene/faces.h"
 #include "engine/study/contribution_stage.h"
 #include "engine/study/display_stage.h"
@@ -69,6 +70,15 @@ double root_mean_square_difference(const std::vector<double>& a, const std::vect
 bool gathers_at_vertices(const Settings& settings, const Mesh& mesh) {
     constexpr std::size_t most_patches = 15'000;
     return settings.method == Method::patch && mesh.patches.size() <= most_patches;
+}
+
+/// As many as can be solved within hours and a disk; what is asked beyond was hardly meant.
+constexpr double most_unknowns = 50'000.0;
+
+/// The wished patch width, or the least that can be computed.
+double computable_width(const Scene& scene, const Settings& settings) {
+    const double of_a_patch = settings.method == Method::linear ? 4.0 : 1.0;
+    return width_for(faces_of(scene), settings.max_patch, most_unknowns / of_a_patch);
 }
 
 /// Rounds of refinement, by how many patches more.
@@ -187,6 +197,8 @@ void Study::Stages::prepare(Run& run) {
     run.solution = std::make_shared<Solution>();
     run.solution->scene = run.scene;
     run.solution->settings = run.settings;
+    run.settings.max_patch = run.solution->patch_width = computable_width(*run.scene, run.settings);
+    note_width(*run.solution);
     run.solution->plan = plan_effects(*run.scene, run.settings);
     const double dim = dim_illuminance(*run.scene);
     const auto accuracy = [&](double share) { return accuracy_of_each(share, dim, run.scene->luminaires.size()); };

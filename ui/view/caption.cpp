@@ -64,11 +64,11 @@ Caption caption_of(const Solution& solution, const ViewOptions& look) {
         caption.title += say(", shadows of {}", shadows_of_text(*solution.scene, look.shadows_of));
     const std::size_t patches = solution.mesh != nullptr ? solution.mesh->patches.size() : 0;
     caption.detail = say("Method {}, {} patches of {:.3g} m at most, {} interreflections{}. Error: {}.",
-                         name_of(solution.settings.method), patches, solution.settings.max_patch, solution.bounces,
+                         name_of(solution.settings.method), patches, solution.patch_width, solution.bounces,
                          solution.complete ? "" : tr(" so far"), error_text(solution));
     if (look.shadow_classes)
         caption.detail = say("{} patches of {:.3g} m at most. Lit, umbra and away are proved; partly lit is the rest.",
-                             patches, solution.settings.max_patch);
+                             patches, solution.patch_width);
     if (look.shadow_outlines) caption.detail = std::string(outline_text()) + ". " + caption.detail;
     return caption;
 }

@@ -95,9 +95,13 @@ TEST(Refine, every_vertex_on_a_border_looks_into_its_patches) {
     const RefinedMesh fine = refined(*coarse, some_of(*coarse, 1));
     const double near = 4e-9 * diameter_of(*fine.mesh);
     for (const MeshFace& face : fine.mesh->faces) {
+        const SectorFinder sectors(*fine.mesh, face);
         for (std::uint32_t k = 0; k < face.vertex_count; ++k) {
             const Receiver& r = fine.mesh->vertices[face.first_vertex + k].receiver;
             const FreeSector sector = free_sector(*fine.mesh, face, r.position, near);
+            const FreeSector found = sectors.at(r.position, near);
+            EXPECT_EQ(found.angle, sector.angle);
+            EXPECT_EQ(found.inward, sector.inward);
             EXPECT_NEAR(glm::length(r.inward - sector.inward), 0.0, 1e-6);  // sums of other sectors, rounded
         }
     }

@@ -95,6 +95,19 @@ TEST(Study, all_flux_of_a_closed_room_is_accounted_for) {
     }
 }
 
+TEST(Study, patches_too_fine_to_be_solved_are_widened_and_it_is_said) {
+    Scene dark = test::small_office();
+    dark.luminaires.clear();  // no interreflection: the mesh alone is made
+    Settings fine = coarse_settings();
+    fine.max_patch = 1e-4;
+    const auto solution = Study().run(snapshot(dark), fine, StudyRequest{}, Work{});
+    EXPECT_LE(solution->mesh->patches.size(), 55'000);  // cutting may add some to the 50,000
+    EXPECT_EQ(solution->settings, fine);
+    EXPECT_GT(solution->patch_width, 0.01);
+    ASSERT_FALSE(solution->notes.empty());
+    EXPECT_EQ(solution->notes.front().rfind("Patches of 0.0001 m would be more than can be solved", 0), 0);
+}
+
 TEST(Study, a_closed_room_that_reflects_everything_is_refused_and_named) {
     Scene scene = test::box_room({4.0, 3.0, 2.5}, 1.0);
     scene.luminaires.push_back(test::point_source(scene, {2.0, 1.5, 1.25}, 5000.0));
