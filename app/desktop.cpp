@@ -9,9 +9,11 @@
 #include "engine/project/gltf_import.h"
 #include "engine/project/luminaires.h"
 #include "engine/project/project_file.h"
+#include "engine/project/text_file.h"
 #include "ui/window/script.h"
 #include "ui/window/window.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -92,10 +94,22 @@ Opened<ModelContent> model_of(const std::filesystem::path& file, const ModelRead
 }
 
 std::optional<Diagnostic> export_model(const Solution& solution, const ViewOptions& look,
-                                       const std::filesystem::path& file) {
-    if (!solution.display) return write_gltf({*solution.scene, solution.settings}, nullptr, file);
-    const LitPicture picture = lit_picture(solution, look);
-    return write_gltf({*solution.scene, solution.settings}, &picture, file);
+                                       const std::filesystem::path& file, const std::stop_token& stop) {
+    std::optional<LitPicture> picture;
+    if (solution.display) picture = lit_picture(solution, look);
+    const std::string text =
+        gltf_file({*solution.scene, solution.settings}, picture ? &*picture : nullptr, file.extension() != ".gltf");
+    if (stop.stop_requested()) return std::nullopt;
+    return write_text_file(file, text);
+}
+
+std::vector<std::filesystem::path> examples() {
+    std::vector<std::filesystem::path> files;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(start_room().parent_path(), none))
+        if (entry.path().extension() == ".hanei") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 }  // namespace
@@ -117,6 +131,7 @@ ProjectDoor project_door() {
     door.copy_picture = copy_png;
     door.read_model = model_of;
     door.export_model = export_model;
+    door.examples = examples;
     return door;
 }
 

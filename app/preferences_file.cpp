@@ -71,6 +71,7 @@ void take_fields(Fields& fields, Preferences& preferences) {
     fields.optional("restores_layout", preferences.restores_layout);
     fields.optional("glides", preferences.glides);
     fields.optional("picture_name", preferences.picture_name);
+    fields.optional("shows_start_page", preferences.shows_start_page);
     take_figure(fields, "left_width", 140.0, 420.0, preferences.left_width);
     take_figure(fields, "right_width", 220.0, 520.0, preferences.right_width);
     take_figure(fields, "bottom_height", 90.0, 460.0, preferences.bottom_height);
@@ -132,6 +133,7 @@ std::string preferences_text(const Preferences& preferences) {
     root.add("right_width", json_number(static_cast<double>(preferences.right_width)));
     root.add("bottom_height", json_number(static_cast<double>(preferences.bottom_height)));
     root.add("picture_name", json_text(preferences.picture_name));
+    root.add("shows_start_page", json_boolean(preferences.shows_start_page));
     JsonValue& recent = root.add("recent", json_list());
     for (const std::filesystem::path& project : preferences.recent) recent.items.push_back(json_text(project.string()));
     if (!preferences.unknown.empty()) {

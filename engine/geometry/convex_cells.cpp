@@ -1,5 +1,6 @@
 #include "engine/geometry/convex_cells.h"
 
+#include "engine/base/stoppable.h"
 #include "engine/base/tolerance.h"
 #include "engine/geometry/polygon.h"
 
@@ -126,6 +127,7 @@ private:
         const Facet* best = nullptr;
         std::ptrdiff_t best_cost = 0;
         for (const Facet& candidate : inside) {
+            stop_if_wished();
             std::ptrdiff_t cost = 0;
             for (const Facet& facet : inside) {
                 const Heights heights = heights_over(candidate.plane, facet.outline);

@@ -167,5 +167,33 @@ TEST(StartLayout, is_hung_from_the_dialog_and_compared_with_the_solution) {
     EXPECT_NEAR(figures_of(driver.workbench().study().answer()->grids[0]).mean, 300.0, rounding * 300.0);
 }
 
+TEST(StartLayout, comes_back_with_the_figures_it_was_asked_with) {
+    Driver driver(Driver::Setup{{test::hung(test::lobe(1.0)).scene, {}}, {}, project_door()});
+    const auto ask = [&] {
+        EXPECT_DONE(driver.click("menu.Light"));
+        EXPECT_DONE(driver.click("light.layout"));
+    };
+    const auto type = [&](const char* field, const char* figure) {
+        EXPECT_DONE(driver.click(field));
+        driver.type(figure);
+        EXPECT_DONE(driver.press("Enter"));
+    };
+    ask();
+    EXPECT_DONE(driver.click("layout.by_hand"));
+    type("layout.columns", "4");
+    type("layout.rows", "3");
+    EXPECT_DONE(driver.click("layout.cancel"));
+    ask();
+    EXPECT_NE(driver.workbench().widgets().find("layout.columns"), nullptr) << "still by hand";
+    EXPECT_DONE(driver.click("layout.hang"));
+    ASSERT_EQ(driver.workbench().document().shown()->luminaires.size(), 12U);
+    driver.workbench().choose(driver.workbench().document().shown()->luminaires.back().id);
+    ask();
+    ASSERT_NE(driver.workbench().widgets().find("layout.columns"), nullptr) << "another one of the field";
+    type("layout.rows", "2");
+    EXPECT_DONE(driver.click("layout.hang"));
+    EXPECT_EQ(driver.workbench().document().shown()->luminaires.size(), 8U);
+}
+
 }  // namespace
 }  // namespace hanei

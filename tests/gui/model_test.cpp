@@ -121,7 +121,8 @@ TEST_F(ModelsDropped, and_the_light_go_out_as_gltf_and_come_back) {
     ASSERT_TRUE(driver.wait_settled());
     const auto file = std::filesystem::path(testing::TempDir()) / "out.glb";
     const auto& workbench = driver.workbench();
-    ASSERT_FALSE(project_door().export_model(*workbench.study().solution(), workbench.viewport().state.options, file));
+    ASSERT_FALSE(
+        project_door().export_model(*workbench.study().solution(), workbench.viewport().state.options, file, {}));
     const GltfImport again = import_gltf(file, {});
     ASSERT_TRUE(again.scene.has_value());
     EXPECT_EQ(again.scene->room, scene()->room);

@@ -1,3 +1,4 @@
+#include "../small_disk.h"
 #include "app/desktop.h"
 #include "app/recovery_folder.h"
 #include "app/user_folders.h"
@@ -12,7 +13,6 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <random>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -171,28 +171,10 @@ TEST_F(UnsavedWork, that_is_torn_or_foreign_is_told_and_nothing_breaks) {
     EXPECT_TRUE(window.lost().empty());
 }
 
-/// No file may grow past half a kB, as if the disk were full.
-class FullDisk {
-public:
-    FullDisk() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit tight{512, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &tight);
-    }
-    ~FullDisk() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-private:
-    rlimit before_{};
-    void (*handler_)(int);
-};
-
 TEST_F(UnsavedWork, that_a_full_disk_refuses_is_told_and_kept_in_the_window) {
     Driver driver(setup());
     {
-        const FullDisk full;
+        const FilesAtMost full(512);
         nudge(driver);
         for (int k = 0; k < 200 && state(driver, "messages") == "0"; ++k) {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -210,6 +192,19 @@ TEST_F(UnsavedWork, that_a_full_disk_refuses_is_told_and_kept_in_the_window) {
     EXPECT_DONE(driver.press("Ctrl+S"));
     EXPECT_EQ(state(driver, "saved"), "true");
     EXPECT_EQ(project_door().open(room).content->scene, *driver.workbench().document().shown());
+}
+
+TEST_F(UnsavedWork, is_kept_as_soon_as_the_disk_takes_it_again) {
+    Driver driver(setup());
+    {
+        const FilesAtMost full(512);
+        nudge(driver);
+        ASSERT_TRUE(driver.wait_until([&] { return state(driver, "messages") == "1"; }, 20.0));
+        EXPECT_EQ(kept(), 0U);
+    }
+    EXPECT_TRUE(wait_kept(1)) << "nothing was changed since";
+    driver.frames(2);
+    EXPECT_EQ(state(driver, "messages"), "1");
 }
 
 TEST_F(UnsavedWork, is_saved_under_another_name_where_the_folder_refuses) {

@@ -14,6 +14,7 @@ enum class CommandId {
     save,
     save_as,
     recover_work,
+    start_page,
     import_model,
     export_model,
     export_picture,

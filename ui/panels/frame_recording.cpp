@@ -1,6 +1,7 @@
 #include "ui/panels/frame_recording.h"
 
 #include "engine/base/whole_file.h"
+#include "ui/panels/language.h"
 
 #include <ctime>
 #include <fmt/chrono.h>
@@ -11,7 +12,8 @@
 namespace hanei {
 
 std::optional<std::string> FrameRecording::start(const std::filesystem::path& where, const std::string& name) {
-    stop();
+    writing_.request_stop();
+    if (writing_.joinable()) writing_.join();
     const std::time_t seconds = std::time(nullptr);
     std::tm local{};
     localtime_r(&seconds, &local);
@@ -21,15 +23,44 @@ std::optional<std::string> FrameRecording::start(const std::filesystem::path& wh
     taken_ = left_out_ = 0;
     index_ = "frame,file,seconds,shows\n";
     fault_.clear();
+    ended_ = false;
+    is_on_ = true;
     writing_ = std::jthread([this](const std::stop_token& wish) { run(wish); });
     return std::nullopt;
 }
 
-void FrameRecording::stop() {
-    if (!writing_.joinable()) return;
+FrameRecording::~FrameRecording() {
     writing_.request_stop();
+    if (writing_.joinable()) writing_.join();
+}
+
+void FrameRecording::stop(double patience) {
+    if (!is_on_) return;
+    is_on_ = false;
+    writing_.request_stop();
+    std::unique_lock lock(guard_);
+    filled_.wait_for(lock, std::chrono::duration<double>(patience), [this] { return ended_; });
+}
+
+bool FrameRecording::has_ended() {
+    const std::scoped_lock lock(guard_);
+    return ended_;
+}
+
+bool FrameRecording::take_end() {
+    if (!is_writing() || !has_ended()) return false;
     writing_.join();
-    writing_ = {};
+    return true;
+}
+
+Task FrameRecording::task() {
+    const std::scoped_lock lock(guard_);
+    return {"writing", say("Writing {} pictures", waiting_.size()), 0.0F, {}, [this] {
+                const std::scoped_lock inside(guard_);
+                left_out_ += waiting_.size();
+                waiting_.clear();
+                waiting_bytes_ = 0;
+            }};
 }
 
 void FrameRecording::take(Image picture, std::string what) {
@@ -81,10 +112,12 @@ void FrameRecording::run(const std::stop_token& stop) {
     }
     waiting_.clear();
     waiting_bytes_ = 0;
-    if (left_out_ > 0) index_ += fmt::format(",,,\"{} pictures were left out: the disk was too slow\"\n", left_out_);
+    if (left_out_ > 0) index_ += fmt::format(",,,\"{} pictures were left out\"\n", left_out_);
     if (const auto reason = write_whole_file(folder_ / "index.csv", index_); reason && fault.empty())
         fault = (folder_ / "index.csv").string() + ": " + *reason;
     fault_ = fault;
+    ended_ = true;
+    filled_.notify_all();
 }
 
 }  // namespace hanei

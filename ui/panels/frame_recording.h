@@ -22,12 +22,16 @@ namespace hanei {
 ///           the index says how many.
 class FrameRecording {
 public:
-    ~FrameRecording() { stop(); }
+    ~FrameRecording();
 
     /// Into a new folder "NAME recording 2026-11-22 15-04-05" there. Returns why it cannot be, or nothing.
     std::optional<std::string> start(const std::filesystem::path& where, const std::string& name);
-    void stop();  ///< what waits is written first, in the background no more: seconds at most
-    bool is_on() const { return writing_.joinable(); }
+    /// Takes no more. What waits is still written: within `patience` (s) here, else in the background.
+    void stop(double patience);
+    bool is_on() const { return is_on_; }
+    bool is_writing() const { return writing_.joinable() && !is_on_; }
+    bool take_end();  ///< once, when the last picture of a stopped recording and the index are written
+    Task task();      ///< while it is writing: to cancel gives up what is not written yet
     std::size_t taken() const { return taken_; }
     const std::filesystem::path& folder() const { return folder_; }
 
@@ -43,10 +47,12 @@ private:
     };
     void run(const std::stop_token& stop);
     std::string write(const Frame& frame);
+    bool has_ended();
 
     std::filesystem::path folder_;
     std::chrono::steady_clock::time_point begun_;
     std::size_t taken_ = 0;
+    bool is_on_ = false;
     std::string index_;  ///< of the writing thread
 
     std::mutex guard_;  ///< of what follows
@@ -54,6 +60,7 @@ private:
     std::deque<Frame> waiting_;
     std::size_t waiting_bytes_ = 0, left_out_ = 0;
     std::string fault_;
+    bool ended_ = false;
     std::jthread writing_;  ///< last: it ends before what it uses
 };
 

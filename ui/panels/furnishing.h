@@ -9,6 +9,7 @@
 #include "ui/panels/room_panel.h"
 #include "ui/panels/view_tool.h"
 
+#include <filesystem>
 #include <memory>
 
 namespace hanei {
@@ -25,6 +26,7 @@ public:
         bool begins_anew = false;    ///< the scene is that of a new project
         ObjectIds chosen;
         std::unique_ptr<ViewTool> tool;
+        std::filesystem::path begins_from = {};  ///< an example a new project is a copy of
     };
 
     RoomFocus room;
@@ -35,7 +37,9 @@ public:
     void show_library() { wants_library_ = true; }
     bool takes_library_wish() { return std::exchange(wants_library_, false); }
 
-    void ask_new_room() { ask(Question::new_room); }
+    void ask_new_room();
+    /// With the plain room and these examples as other things to begin with.
+    void ask_new_project(std::vector<std::filesystem::path> examples);
     void ask_array() { ask(Question::array); }
     void ask_circle(const Vec2& middle);
     bool is_asking() const { return question_ != Question::none; }
@@ -62,7 +66,12 @@ private:
     std::string search_;
     Question question_ = Question::none;
     bool opening_ = false;
+    bool begin_with(Form& form);
+    void sizes(Form& form);
     NewRoom new_room_;
+    int begins_with_ = 0;  ///< a room of sizes, the plain room, examples
+    bool offers_ = false;  ///< the plain room and examples
+    std::vector<std::filesystem::path> examples_;
     ArrayWish array_;
     CircleWish circle_;
 };

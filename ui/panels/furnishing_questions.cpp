@@ -1,7 +1,9 @@
+#include "engine/edit/edit.h"
 #include "engine/edit/plan_shape.h"
 #include "ui/panels/furnishing.h"
 #include "ui/panels/language.h"
 #include "ui/panels/property_rows.h"
+#include "ui/panels/start_page.h"
 #include "ui/panels/style.h"
 
 #include <algorithm>
@@ -74,6 +76,19 @@ void Furnishing::ask(Question question) {
     opening_ = true;
 }
 
+void Furnishing::ask_new_room() {
+    offers_ = false;
+    begins_with_ = 0;
+    ask(Question::new_room);
+}
+
+void Furnishing::ask_new_project(std::vector<std::filesystem::path> examples) {
+    offers_ = true;
+    examples_ = std::move(examples);
+    begins_with_ = 0;
+    ask(Question::new_room);
+}
+
 void Furnishing::ask_circle(const Vec2& middle) {
     circle_.middle = middle;
     ask(Question::circle);
@@ -116,10 +131,38 @@ Furnishing::Wish Furnishing::questions(const Scene& scene, const Selection& sele
     return {};
 }
 
+/// True when it is a room of sizes.
+bool Furnishing::begin_with(Form& form) {
+    if (!offers_) return true;
+    std::vector<std::string> names{tr("A room of these sizes"), tr("The plain room")};
+    for (const std::filesystem::path& example : examples_) names.push_back(title_of_example(example));
+    form.choice("new.begin", "Begin with", "What the new project holds at first", names, begins_with_);
+    return begins_with_ == 0;
+}
+
 Furnishing::Wish Furnishing::new_room_question(Form& form) {
     Wish wish;
-    if (!begin("New room", 420.0F)) return wish;
+    if (!begin(offers_ ? "New project" : "New room", 420.0F)) return wish;
     form.begin("new room");
+    const bool has_sizes = begin_with(form);
+    if (has_sizes) sizes(form);
+    form.end();
+    if (has_sizes) draw_plan(usual_plan(new_room_.shape, new_room_.length, new_room_.width), 90.0F * style::scale());
+    const Answer given = answer("Create", "new", true, form.widgets());
+    if (given != Answer::none) close();
+    ImGui::EndPopup();
+    if (given != Answer::yes) return wish;
+    constexpr int plain_room = 1;
+    if (begins_with_ > plain_room) {
+        wish.begins_from = examples_[static_cast<std::size_t>(begins_with_ - plain_room - 1)];
+        return wish;
+    }
+    wish.scene = begins_with_ == plain_room ? empty_room() : new_room(new_room_);
+    wish.begins_anew = true;
+    return wish;
+}
+
+void Furnishing::sizes(Form& form) {
     const std::vector<std::string> names{"Box", "L", "T", "U"};
     int shape = static_cast<int>(std::find(shapes.begin(), shapes.end(), new_room_.shape) - shapes.begin());
     if (form.choice("new.shape", "Plan", "The outline of the floor", names, shape))
@@ -137,15 +180,6 @@ Furnishing::Wish Furnishing::new_room_question(Form& form) {
     }
     if (form.choice("new.reflectances", "Reflectances", "Of ceiling, walls and floor, in percent", presets, chosen))
         new_room_.reflectances = reflectance_presets()[static_cast<std::size_t>(chosen)].values;
-    form.end();
-    draw_plan(usual_plan(new_room_.shape, new_room_.length, new_room_.width), 90.0F * style::scale());
-    const Answer given = answer("Create", "new", true, form.widgets());
-    if (given != Answer::none) close();
-    ImGui::EndPopup();
-    if (given != Answer::yes) return wish;
-    wish.scene = new_room(new_room_);
-    wish.begins_anew = true;
-    return wish;
 }
 
 Furnishing::Wish Furnishing::preview(AddedSeveral made, bool changed, std::string step, WidgetRegistry& widgets) {

@@ -114,6 +114,7 @@ constexpr std::array table{
     CommandIcon{"file.copy_picture", Icon::duplicate},
     CommandIcon{"file.export", Icon::picture},
     CommandIcon{"file.new", Icon::add},
+    CommandIcon{"file.start_page", Icon::overview},
     CommandIcon{"file.open", Icon::open},
     CommandIcon{"file.render_exact", Icon::photo},
     CommandIcon{"file.save", Icon::save},

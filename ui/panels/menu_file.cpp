@@ -10,7 +10,8 @@ namespace {
 using enum CommandId;
 
 constexpr std::array table{
-    Command{new_project, "file.new", "File", "New", "An empty room to begin with", control('N')},
+    Command{new_project, "file.new", "File", "New...", "A room of your sizes, the plain room, or a copy of an example",
+            control('N')},
     Command{open, "file.open", "File", "Open...", "Open a project", control('O')},
     Command{save, "file.save", "File", "Save", "Save the project under its name", control('S')},
     Command{save_as, "file.save_as", "File", "Save as...", "Save the project under another name", control('S', true)},
@@ -19,6 +20,12 @@ constexpr std::array table{
             "File",
             "Recover unsaved work...",
             "Look for work of windows that ended before it was saved",
+            {}},
+    Command{CommandId::start_page,
+            "file.start_page",
+            "File",
+            "Start page...",
+            "What the program begins with: new rooms, projects of before, examples",
             {}},
     Command{
         import_model,
@@ -91,7 +98,7 @@ bool Workbench::can_file(CommandId id) const {
 void Workbench::do_file(CommandId id) {
     switch (id) {
         case CommandId::new_project:
-            return guarded([this] { start_anew(); });
+            return guarded([this] { ask_new_project(); });
         case CommandId::open:
             return guarded([this] { open_file(); });
         case CommandId::save:
@@ -102,6 +109,8 @@ void Workbench::do_file(CommandId id) {
             offer_recovery();
             if (!recovery_.is_open()) message_ = "There is no unsaved work to recover";
             return;
+        case CommandId::start_page:
+            return open_start_page();
         case CommandId::import_model:
             return import_model();
         case CommandId::export_model:

@@ -104,6 +104,7 @@ void Workbench::do_room(CommandId id) {
 void Workbench::furnishing_wish(Furnishing::Wish wish) {
     if (wish.tool) viewport_.take_up(std::move(wish.tool));
     if (wish.abandons) document_.abandon();
+    if (!wish.begins_from.empty()) return begin_from(wish.begins_from);
     if (!wish.scene) return;
     if (wish.begins_anew) return begin_anew(std::move(*wish.scene));
     if (wish.previews) return document_.propose(std::move(*wish.scene), std::move(wish.step));

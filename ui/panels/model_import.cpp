@@ -53,7 +53,7 @@ void ModelImport::open(const std::filesystem::path& file, Opened<ModelContent> f
                        bool dropped, std::function<void(Taken)> taken) {
     file_ = file;
     opened_ = std::move(first);
-    reading_ = {};
+    reading_ = read_as_ = {};
     read_ = std::move(read);
     place_ = place;
     dropped_ = dropped;
@@ -144,7 +144,7 @@ void ModelImport::remarks() const {
     ImGui::PopStyleColor();
 }
 
-void ModelImport::draw(Form& form) {
+void ModelImport::draw(Form& form, const std::optional<Task>& reading) {
     if (!open_) return;
     const std::string title = fmt::format("{} {}###model", tr("Import"), file_.filename().string());
     if (just_opened_) ImGui::OpenPopup(title.c_str());
@@ -158,10 +158,16 @@ void ModelImport::draw(Form& form) {
         return;
     }
     form.begin("model");
-    if (choices(form)) opened_ = read_(reading_);
+    if (!reading) reading_ = read_as_;  // the reading was stopped
+    if (choices(form))
+        read_(reading_, [this, how = reading_](Opened<ModelContent> opened) {
+            opened_ = std::move(opened);
+            read_as_ = how;
+        });
     facts(form);
     form.end();
     remarks();
+    if (reading) task_bar(*reading, form.widgets());
     ImGui::Dummy({0.0F, 6.0F * style::scale()});
     const float width = 220.0F * style::scale() + ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
@@ -173,6 +179,7 @@ void ModelImport::draw(Form& form) {
     ImGui::EndDisabled();
     const bool take = pressed && can_take() && !cancel;
     if (take || cancel) {
+        if (reading) reading->cancel();
         open_ = false;
         ImGui::CloseCurrentPopup();
     }

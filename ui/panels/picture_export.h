@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/base/diagnostic.h"
-#include "ui/panels/task_bar.h"
+#include "ui/panels/background_work.h"
 #include "ui/view/offscreen.h"
 
 #include <deque>
@@ -22,9 +22,12 @@ struct PictureJob {
 
 class PictureExport {
 public:
+    /// As those of BackgroundWork: pictures are packed and written away from the frames.
+    PictureExport(std::function<void()> wake, double patience);
+
     void start(std::vector<PictureJob> jobs);
-    void cancel() { jobs_.clear(); }
-    bool busy() const { return !jobs_.empty(); }
+    void cancel();  ///< what is written stays; the picture that is being packed is not written
+    bool busy() const { return !jobs_.empty() || packing_.busy() || !fault_.empty(); }
 
     /// Whether a picture waits for the part that is only computed on request.
     bool wants_unshadowed() const;
@@ -42,11 +45,14 @@ public:
 
 private:
     void write(const SolutionSnapshot& solution, PictureRequest request, const PictureJob& job,
-               const std::string& hash) const;
+               const std::string& hash);
+    Outcome outcome();
 
-    std::deque<PictureJob> jobs_;
+    std::deque<PictureJob> jobs_;  ///< not drawn yet
     std::size_t total_ = 0, written_ = 0;
-    std::string last_;
+    std::string last_, fault_;
+    TimeLeft left_;
+    BackgroundWork packing_;
 };
 
 }  // namespace hanei

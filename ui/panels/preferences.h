@@ -25,7 +25,8 @@ struct Preferences {
     bool restores_layout = true;  ///< the panels' sizes are those of the last time
     std::string picture_name = "{project} {view} {part} {date}.png";  ///< template of exported files' names
     bool glides = true;                                               ///< from one view to another, not at once
-    std::string unknown = {};  ///< fields of a newer program, as the text of a JSON object
+    std::string unknown = {};      ///< fields of a newer program, as the text of a JSON object
+    bool shows_start_page = true;  ///< at a start without a project
     bool operator==(const Preferences&) const = default;
 };
 

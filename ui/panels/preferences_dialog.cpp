@@ -58,6 +58,8 @@ void keeping(Preferences& preferences, Form& form) {
         {"preferences.autosave", "Keep work", "s",
          "Unsaved work is kept for recovery after every step, and at least this often during one", 5.0, 600.0, 1.0, 0},
         preferences.autosave);
+    form.toggle("preferences.start", "Start page", "What to begin with is asked when no project is named",
+                preferences.shows_start_page);
 }
 
 }  // namespace

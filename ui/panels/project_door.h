@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,8 +29,11 @@ struct ProjectDoor {
     /// Furniture, rooms and lamps of a model (glTF).
     std::function<Opened<ModelContent>(const std::filesystem::path&, const ModelReading&)> read_model = {};
     /// The solution's scene for other programs, its light coloured as a picture of these options.
-    std::function<std::optional<Diagnostic>(const Solution&, const ViewOptions&, const std::filesystem::path&)>
+    /// Nothing is written once the work shall stop.
+    std::function<std::optional<Diagnostic>(const Solution&, const ViewOptions&, const std::filesystem::path&,
+                                            const std::stop_token&)>
         export_model = {};
+    std::function<std::vector<std::filesystem::path>()> examples = {};  ///< projects to begin with
 };
 
 }  // namespace hanei

@@ -2,27 +2,12 @@
 
 #include "ui/panels/form.h"
 #include "ui/panels/language.h"
+#include "ui/panels/start_page.h"
 
-#include <cstdlib>
 #include <fmt/format.h>
 #include <imgui.h>
 
 namespace hanei {
-namespace {
-
-/// The folder as the user knows it: "~/rooms".
-std::string short_folder(const std::filesystem::path& project) {
-    const std::string folder = project.parent_path().string();
-    const char* const home = std::getenv("HOME");
-    const std::string start = home != nullptr ? home : "";
-    if (start.size() > 1 && folder.compare(0, start.size(), start) == 0 &&
-        (folder.size() == start.size() || folder[start.size()] == '/'))
-        return fmt::format("~{}", folder.substr(start.size()));
-    return folder;
-}
-
-}  // namespace
-
 std::optional<std::filesystem::path> RecentMenu::draw(std::vector<std::filesystem::path>& recent,
                                                       WidgetRegistry& widgets) {
     std::optional<std::filesystem::path> clicked;

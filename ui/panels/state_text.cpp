@@ -82,6 +82,8 @@ std::map<std::string, std::string> state_of(const Workbench& workbench) {
         workbench.dialogs().shown_findings().empty() ? "" : workbench.dialogs().shown_findings().front().message;
     state["recovery"] = std::to_string(workbench.recovery().is_open() ? workbench.recovery().offers().size() : 0);
     state["messages"] = std::to_string(workbench.messages().entries().size());
+    state["start page"] = truth(workbench.start_page().is_open());
+    state["asks"] = truth(workbench.furnishing().is_asking());
     state["browser"] = truth(workbench.browser().is_open());
     state["model"] = workbench.model_import().summary();
     state["snap"] = truth(workbench.is_snapping());

@@ -25,7 +25,7 @@ void task_bar(const Task& task, WidgetRegistry& widgets) {
                           {button, 0.0F}))
             task.cancel();
         widgets.note(task.id + ".cancel");
-        tooltip("Stop this; what is done so far stays");
+        tooltip(task.id == "file" ? "Stop this; all stays as it was" : "Stop this; what is done so far stays");
     }
     ImGui::PopStyleVar();
 }

@@ -36,7 +36,15 @@ Workbench::Workbench(ProjectContent content, std::filesystem::path file, Project
       document_(std::move(content), std::move(file)),
       study_(wake),
       exact_(wake),
+      file_work_(wake, how.patience,
+                 [this](const std::string& fault) {
+                     Diagnostic told;
+                     told.message = fault;
+                     tell("File", told);
+                 }),
+      start_look_(wake, how.patience, [](const std::string&) {}),
       keeper_(door_.user),
+      export_(wake, how.patience),
       stamp_(stamp_of(document_.file())),
       autosave_(door_.user.recovery, wake) {
     read_preferences();
@@ -124,7 +132,7 @@ void Workbench::draw(const ViewPainter& paint) {
     status_line({0.0F, all.bottom, screen.x, screen.y});
     exact_.draw(
         paint, [this] { save_exact(); }, widgets_);
-    model_import_.draw(form_);
+    model_import_.draw(form_, file_work_.busy() ? std::optional(file_work_.task()) : std::nullopt);
     if (auto made = start_layout_.draw(*document_.shown(), form_)) {
         document_.commit(std::move(made->scene), "Start layout");
         selection_.choose(made->object);
@@ -134,8 +142,12 @@ void Workbench::draw(const ViewPainter& paint) {
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
     preferences_dialog_.draw(preferences_, form_);
+    start_wish(start_page_.draw(preferences_.shows_start_page, widgets_));
     draw_export();
     follow_recovery();
+    start_look_.follow();
+    const bool may_finish = (!is_asking() || model_import_.is_open()) && !document_.in_gesture();
+    if (may_finish && !viewport_.dragging()) file_work_.follow();
     keep_preferences();
 }
 

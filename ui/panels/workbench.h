@@ -3,6 +3,7 @@
 
 #include "engine/edit/excerpt.h"
 #include "ui/panels/autosave.h"
+#include "ui/panels/background_work.h"
 #include "ui/panels/command_search.h"
 #include "ui/panels/context_menu.h"
 #include "ui/panels/dialogs.h"
@@ -31,6 +32,7 @@
 #include "ui/panels/several_panel.h"
 #include "ui/panels/snap_popup.h"
 #include "ui/panels/start_layout_dialog.h"
+#include "ui/panels/start_page.h"
 #include "ui/panels/viewport.h"
 
 #include <deque>
@@ -43,6 +45,7 @@ class Workbench {
 public:
     struct Options {
         bool repeatable = false;  ///< show nothing that differs from run to run (measured times)
+        double patience = 60.0;   ///< s a frame waits for a file, which then seems to take no time
     };
 
     /// `wake` is called from another thread when a frame is due.
@@ -51,6 +54,9 @@ public:
 
     void draw(const ViewPainter& paint);  ///< between ImGui::NewFrame and ImGui::Render
     void after_frame();                   ///< after the frame was painted: writes pictures that were asked for
+
+    /// The start page, unless the preferences leave it out or lost work is asked about.
+    void offer_start();
 
     void drop(const std::vector<std::filesystem::path>& files);  ///< from outside, where the pointer is
 
@@ -78,6 +84,8 @@ public:
     const Preferences& preferences() const { return preferences_; }
     const Messages& messages() const { return messages_; }
     const RecoveryDialog& recovery() const { return recovery_; }
+    bool is_busy() const;  ///< something goes on whose progress is shown
+    const StartPage& start_page() const { return start_page_; }
     const std::string& message() const { return message_; }
     bool is_snapping() const { return snap_.on; }
     long frames() const { return frames_; }
@@ -152,20 +160,26 @@ private:
     bool is_asking() const;  ///< a dialog stands in front
     void read_preferences();
     void keep_preferences();
-    void start_anew();
+    void ask_new_project();
+    void open_start_page();
+    void start_wish(const StartPage::Outcome& outcome);
+    void begin_from(const std::filesystem::path& example);
+    /// As it is shown, so that what was read meanwhile takes the place of nothing else.
+    std::function<bool()> is_as_before() const;
     void offer_recovery();
     void recover(const LostWork& work);
     void follow_recovery();
     void show(Document document);
     void open_file();
     void load(const std::filesystem::path& file);
+    void take_project(Opened<ProjectContent> opened, const std::filesystem::path& file);
     void save(bool under_new_name, std::function<void()> then = nullptr);
     void write(const std::filesystem::path& file, const std::function<void()>& then);
     void ask_about_changed_file(const std::function<void()>& then);
     void ask_where_else(const std::filesystem::path& file, const Diagnostic& fault, const std::function<void()>& then);
     void replace_luminaire_file();
     void import_model();
-    bool ask_about_model(const std::filesystem::path& file, Vec2 place, bool dropped);
+    void read_model(const std::filesystem::path& file, const ModelReading& how, ModelImport::Then then);
     void take_model(ModelImport::Taken taken);
     void start_with_model(ModelImport::Taken taken);
     void export_model();
@@ -180,6 +194,7 @@ private:
         std::function<void(ObjectId)> then{};  ///< with the one that was hung last
     };
     void receive(Arrival arrival);
+    void ask_about_model(const std::filesystem::path& file, bool dropped, Arrival lamps_alone);
     void add_luminaire_file(Arrival arrival);  ///< asks for its file
     void read_next();
     void ask_which(const std::filesystem::path& file, std::vector<Photometry> found);
@@ -190,6 +205,7 @@ private:
     void copy_picture();
     void toggle_recording();
     void record_frame();
+    void follow_recording();
     void save_exact();
     std::string project_hash() const;
     std::optional<Task> running_task();
@@ -213,6 +229,8 @@ private:
     Dialogs dialogs_;
     FileBrowser browser_;
     ModelImport model_import_;
+    BackgroundWork file_work_, start_look_;
+    StartPage start_page_;
 
     std::vector<ViewOverlay*> overlays_;  ///< in the order in which they are drawn
     Arrival arrival_;

@@ -1,3 +1,4 @@
+#include "engine/base/stoppable.h"
 #include "engine/base/whole_file.h"
 #include "engine/report/report.h"
 #include "ui/panels/language.h"
@@ -91,10 +92,8 @@ void Workbench::ask_for_values() {
 
 void Workbench::toggle_recording() {
     if (recording_.is_on()) {
-        recording_.stop();
-        if (const std::string fault = recording_.take_fault(); !fault.empty())
-            return tell("Recording", error_of(fault));
-        message_ = fmt::format("Recorded {} pictures in {}", recording_.taken(), recording_.folder().string());
+        recording_.stop(how_.patience);
+        follow_recording();
     } else {
         std::error_code failure;
         const auto where = folder().empty() ? std::filesystem::current_path(failure) : folder();
@@ -105,13 +104,21 @@ void Workbench::toggle_recording() {
     }
 }
 
+/// What comes of the pictures that are written after the recording was stopped.
+void Workbench::follow_recording() {
+    const std::string fault = recording_.take_fault();
+    if (!fault.empty()) {
+        recording_.stop(how_.patience);
+        tell("Recording", error_of(fault));
+    }
+    if (recording_.take_end() && fault.empty())
+        message_ = say("Recorded {} pictures in {}", recording_.taken(), recording_.folder().string());
+}
+
 /// A picture whenever what is shown is another than before, and of every frame in which the view moves.
 void Workbench::record_frame() {
+    follow_recording();
     if (!recording_.is_on()) return;
-    if (const std::string fault = recording_.take_fault(); !fault.empty()) {
-        recording_.stop();
-        return tell("Recording", error_of(fault));
-    }
     const bool same = recorded_scene_ == document_.shown() && recorded_solution_ == study_.solution();
     const ScreenRect* view = widgets_.find("view");
     if ((same && !viewport_.moving()) || view == nullptr) return;
@@ -146,22 +153,34 @@ void Workbench::save_exact() {
         picture_text(*study_.solution(), viewport_.state.options, project_hash(), std::chrono::system_clock::now());
     browser_.open({"Save the exact picture", "Save", {".png"}, true, folder(), document_.title() + " exact.png"},
                   [this, picture, text](const std::filesystem::path& file) {
-                      try {
-                          write_png(*picture, file, text);
-                          message_ = say("Saved {}", file.filename().string());
-                      } catch (const std::runtime_error& fault) {
-                          tell("Export", error_of(fault.what()));
-                      }
+                      file_work_.start(say("Saving {}", file.filename().string()), [=, this](const Work& work) {
+                          const std::string bytes = png_bytes(*picture, text);
+                          if (work.stop.stop_requested()) throw Stopped{};
+                          const std::optional<std::string> reason = write_whole_file(file, bytes);
+                          return [this, file, reason] {
+                              if (reason) return tell("Export", error_of(file.string() + ": " + *reason));
+                              message_ = say("Saved {}", file.filename().string());
+                          };
+                      });
                   });
 }
 
+bool Workbench::is_busy() const {
+    return study_.busy() || exact_.busy() || file_work_.busy() || export_.busy() || recording_.is_writing();
+}
+
 std::optional<Task> Workbench::running_task() {
-    if (export_.busy()) return export_.task();
+    if (file_work_.busy()) return file_work_.task();
+    if (export_.busy()) {
+        Task task = export_.task();
+        if (how_.repeatable) task.left.clear();
+        return task;
+    }
     if (exact_.busy()) return exact_.task();
     if (recording_.is_on())
-        return Task{"recording", fmt::format("Recording, {} pictures", recording_.taken()), 0.0F, {}, [this] {
-                        toggle_recording();
-                    }};
+        return Task{
+            "recording", say("Recording, {} pictures", recording_.taken()), 0.0F, {}, [this] { toggle_recording(); }};
+    if (recording_.is_writing()) return recording_.task();
     if (!study_.is_cancellable()) return std::nullopt;
     const float fraction = study_.progress().fraction();
     const Stage stage = study_.progress().stage();

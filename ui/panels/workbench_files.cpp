@@ -29,8 +29,24 @@ void Workbench::open_file() {
                   [this](const std::filesystem::path& file) { load(file); });
 }
 
+std::function<bool()> Workbench::is_as_before() const {
+    return [this, scene = document_.shown(), settings = document_.settings()] {
+        return scene == document_.shown() && settings == document_.settings();
+    };
+}
+
 void Workbench::load(const std::filesystem::path& file) {
-    Opened<ProjectContent> opened = door_.open(file);
+    file_work_.start(say("Opening {}", file.filename().string()),
+                     [this, open = door_.open, file, as_before = is_as_before()](const Work&) {
+                         const auto opened = std::make_shared<Opened<ProjectContent>>(open(file));
+                         return [this, opened, file, as_before] {
+                             const auto take = [this, opened, file] { take_project(std::move(*opened), file); };
+                             as_before() ? take() : guarded(take);
+                         };
+                     });
+}
+
+void Workbench::take_project(Opened<ProjectContent> opened, const std::filesystem::path& file) {
     messages_.note("File", opened.findings);
     if (!opened.findings.empty()) {
         dialogs_.show_findings(opened.content ? "Opened, with remarks" : "This project cannot be opened",

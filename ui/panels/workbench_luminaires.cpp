@@ -2,6 +2,7 @@
 #include "engine/scene/colour.h"
 #include "ui/panels/hanging.h"
 #include "ui/panels/language.h"
+#include "ui/panels/luminaire_batch.h"
 #include "ui/panels/workbench.h"
 
 #include <algorithm>
@@ -10,15 +11,6 @@
 
 namespace hanei {
 namespace {
-
-std::string ending_of(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return ending;
-}
-
-std::vector<std::string> luminaire_endings() { return {".ies", ".ldt", ".xml", ".gldf", ".gltf", ".glb"}; }
 
 std::string name_of_light(const Photometry& photometry) {
     return photometry.name.empty() ? photometry.source_file : photometry.name;
@@ -45,6 +37,7 @@ void Workbench::replace_luminaire_file() {
 /// On the view files hang where they are dropped; on the luminaire that is chosen, or beside the
 /// view while one is chosen, they may take the place of its light.
 void Workbench::drop(const std::vector<std::filesystem::path>& files) {
+    start_page_.leave();  // what is dropped on it is what to begin with
     if (is_asking() || viewport_.dragging()) {
         message_ = tr("Nothing was dropped: finish what is open first");
         return;
@@ -61,9 +54,8 @@ void Workbench::drop(const std::vector<std::filesystem::path>& files) {
     const bool is_model = ending_of(files.front()) == ".gltf" || ending_of(files.front()) == ".glb";
     const bool beside_view = on_luminaire && !pointed.ray && ImGui::GetIO().MousePos.x > viewport_.right_edge();
     const bool on_view = !on_chosen && !beside_view;
-    if (files.size() == 1 && is_model && on_view && door_.read_model &&
-        ask_about_model(files.front(), arrival.place, true))
-        return;
+    if (files.size() == 1 && is_model && on_view && door_.read_model)
+        return ask_about_model(files.front(), true, std::move(arrival));
     if (files.size() > 1 || !(on_chosen || beside_view)) return receive(std::move(arrival));
     Arrival instead = arrival;
     instead.replaced = selection_.primary();
@@ -80,21 +72,20 @@ void Workbench::receive(Arrival arrival) {
     read_next();
 }
 
-/// Reads file after file; one that holds several luminaires waits for an answer.
+/// Reads file after file, those of folders too; one that holds several luminaires waits for an answer.
 void Workbench::read_next() {
-    while (!arrival_.files.empty()) {
-        const std::filesystem::path file = arrival_.files.front();
-        arrival_.files.pop_front();
-        Opened<std::vector<Photometry>> opened = door_.read_luminaires(file);
-        const bool unusable = !opened.content || opened.content->empty();
-        for (Diagnostic& finding : opened.findings) {
-            if (unusable || finding.severity == Severity::error) arrival_.faults.push_back(std::move(finding));
-        }
-        if (unusable) continue;
-        if (opened.content->size() > 1) return ask_which(file, std::move(*opened.content));
-        arrival_.read.push_back(std::move(opened.content->front()));
-    }
-    finish_arrival();
+    const std::string name = arrival_.files.empty() ? std::string() : arrival_.files.front().filename().string();
+    const std::string task =
+        arrival_.files.size() > 1 ? say("Reading {} files", arrival_.files.size()) : say("Reading {}", name);
+    file_work_.start(task, [this, files = arrival_.files, read = door_.read_luminaires](const Work& work) {
+        const auto batch = std::make_shared<LuminaireBatch>(read_luminaire_files(files, read, work));
+        return [this, batch] {
+            arrival_.files = std::move(batch->left);
+            std::move(batch->faults.begin(), batch->faults.end(), std::back_inserter(arrival_.faults));
+            std::move(batch->read.begin(), batch->read.end(), std::back_inserter(arrival_.read));
+            batch->several.empty() ? finish_arrival() : ask_which(batch->file, std::move(batch->several));
+        };
+    });
 }
 
 void Workbench::ask_which(const std::filesystem::path& file, std::vector<Photometry> found) {

@@ -12,24 +12,32 @@ void Workbench::import_model() {
     browser_.open({"Import a glTF model", "Import", {".gltf", ".glb"}, false, folder(), ""},
                   [this](const std::filesystem::path& file) {
                       const Vec2 place = place_in_plan(*document_.shown(), {}, raster());
-                      if (!ask_about_model(file, place, false)) receive({{file}, {}, {}, place, {}});
+                      ask_about_model(file, false, {{file}, {}, {}, place, {}});
                   });
 }
 
-/// False when the file holds lamps alone: those are hung, not stood.
-bool Workbench::ask_about_model(const std::filesystem::path& file, Vec2 place, bool dropped) {
-    Opened<ModelContent> opened = door_.read_model(file, {});
-    const bool holds_lamps_alone =
-        opened.content && !opened.content->scene.room && opened.content->solids == 0 && opened.content->sheets == 0;
-    if (holds_lamps_alone) return false;
-    if (!opened.content) {
-        dialogs_.show_findings("This model cannot be imported", std::move(opened.findings));
-        return true;
-    }
-    const auto read = [this, file](const ModelReading& how) { return door_.read_model(file, how); };
-    model_import_.open(file, std::move(opened), read, place, dropped,
-                       [this](ModelImport::Taken taken) { take_model(std::move(taken)); });
-    return true;
+/// A file that holds lamps alone is hung, not stood.
+void Workbench::ask_about_model(const std::filesystem::path& file, bool dropped, Arrival lamps_alone) {
+    const auto show = [this, file, dropped, lamps_alone](Opened<ModelContent> opened) {
+        const bool holds_lamps_alone =
+            opened.content && !opened.content->scene.room && opened.content->solids == 0 && opened.content->sheets == 0;
+        if (holds_lamps_alone) return receive(lamps_alone);
+        if (!opened.content) return dialogs_.show_findings("This model cannot be imported", std::move(opened.findings));
+        const auto read_again = [this, file](const ModelReading& how, ModelImport::Then then) {
+            read_model(file, how, std::move(then));
+        };
+        model_import_.open(file, std::move(opened), read_again, lamps_alone.place, dropped,
+                           [this](ModelImport::Taken taken) { take_model(std::move(taken)); });
+    };
+    read_model(file, {}, show);
+}
+
+void Workbench::read_model(const std::filesystem::path& file, const ModelReading& how, ModelImport::Then then) {
+    file_work_.start(say("Reading {}", file.filename().string()),
+                     [read = door_.read_model, file, how, then = std::move(then)](const Work&) {
+                         const auto opened = std::make_shared<Opened<ModelContent>>(read(file, how));
+                         return [opened, then] { then(std::move(*opened)); };
+                     });
 }
 
 /// The empty room comes first in the history: the project is unsaved from the start.
@@ -72,14 +80,21 @@ void Workbench::take_model(ModelImport::Taken taken) {
 }
 
 void Workbench::export_model() {
-    browser_.open({"Export glTF", "Export", {".glb", ".gltf"}, true, folder(), document_.title() + ".glb"},
-                  [this](const std::filesystem::path& file) {
-                      const SolutionSnapshot solution = study_.solution();
-                      if (!solution) return;
-                      if (const auto fault = door_.export_model(*solution, viewport_.state.options, file))
-                          return tell("Export", *fault);
-                      message_ = say("Exported {}", file.filename().string());
-                  });
+    browser_.open(
+        {"Export glTF", "Export", {".glb", ".gltf"}, true, folder(), document_.title() + ".glb"},
+        [this](const std::filesystem::path& file) {
+            const SolutionSnapshot solution = study_.solution();
+            if (!solution) return;
+            file_work_.start(
+                say("Exporting {}", file.filename().string()),
+                [this, file, solution, write = door_.export_model, look = viewport_.state.options](const Work& work) {
+                    const std::optional<Diagnostic> fault = write(*solution, look, file, work.stop);
+                    return [this, file, fault] {
+                        if (fault) return tell("Export", *fault);
+                        message_ = say("Exported {}", file.filename().string());
+                    };
+                });
+        });
 }
 
 }  // namespace hanei

@@ -1,4 +1,3 @@
-#include "engine/edit/edit.h"
 #include "ui/panels/workbench.h"
 
 #include <imgui.h>
@@ -24,12 +23,7 @@ void Workbench::keep_preferences() {
 bool Workbench::is_asking() const {
     return dialogs_.kind() != Dialogs::Kind::none || browser_.is_open() || preferences_dialog_.is_open() ||
            recovery_.is_open() || furnishing_.is_asking() || export_dialog_.is_open() || model_import_.is_open() ||
-           start_layout_.is_open();
-}
-
-void Workbench::start_anew() {
-    show(Document({empty_room(), {}}));
-    message_ = "A new room";
+           start_layout_.is_open() || start_page_.is_open();
 }
 
 }  // namespace hanei

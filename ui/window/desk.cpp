@@ -22,8 +22,9 @@ Desk::Desk(Setup setup) : context_(ImGui::CreateContext()), screen_scale_(setup.
     if (!ImGui_ImplOpenGL3_Init("#version 330"))
         throw std::runtime_error("The window's OpenGL drawing does not start.");
     textures_ = std::make_unique<ViewTextures>();
-    workbench_ = std::make_unique<Workbench>(std::move(setup.content), std::move(setup.file), std::move(setup.door),
-                                             std::move(setup.wake), Workbench::Options{setup.repeatable});
+    workbench_ =
+        std::make_unique<Workbench>(std::move(setup.content), std::move(setup.file), std::move(setup.door),
+                                    std::move(setup.wake), Workbench::Options{setup.repeatable, setup.patience});
     const Preferences& wished = workbench_->preferences();
     style::apply(wished.theme, wished.scale > 0.0 ? static_cast<float>(wished.scale) : screen_scale_, wished.language);
 }

@@ -21,6 +21,7 @@ public:
         std::function<void()> wake;  ///< called from another thread when a frame is due
         float scale = 1.0F;          ///< of letters and distances, where the preferences name none
         bool repeatable = false;     ///< show nothing that differs from run to run
+        double patience = 60.0;      ///< s a frame waits for a file
     };
 
     /// Needs     a current OpenGL 3.3 core context with its functions loaded, for the desk's whole life.

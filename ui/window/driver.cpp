@@ -32,8 +32,8 @@ Driver::Driver(Setup setup) : size_(setup.size) {
         woken_ = true;
         wakes_.notify_all();
     };
-    desk_ = std::make_unique<Desk>(
-        Desk::Setup{std::move(setup.content), std::move(setup.file), std::move(setup.door), wake, setup.scale, true});
+    desk_ = std::make_unique<Desk>(Desk::Setup{std::move(setup.content), std::move(setup.file), std::move(setup.door),
+                                               wake, setup.scale, true, setup.patience});
     frames(settling_frames);
 }
 

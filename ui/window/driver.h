@@ -25,6 +25,7 @@ public:
         ProjectDoor door;
         PixelSize size{1280, 800};
         float scale = 1.0F;
+        double patience = 60.0;  ///< s a frame waits for a file: scripts need not wait themselves
     };
 
     /// Throws std::runtime_error when there is no OpenGL without a display.

@@ -24,6 +24,7 @@ static_assert(static_cast<int>(Key::escape) == GLFW_KEY_ESCAPE && static_cast<in
 
 constexpr int frames_after_input = 3;  // ImGui needs two to settle a popup's size
 constexpr std::chrono::duration<double> shortest_frame{1.0 / 60.0};
+constexpr double patience = 0.1;                 // s: a file that takes longer is read away from the frames
 constexpr double look_at_progress_every = 0.05;  // s, while a study runs
 
 std::string& last_fault() {
@@ -151,7 +152,7 @@ void write_state(const Workbench& workbench, const std::filesystem::path& file, 
 void wait_for_events(Reach& reach) {
     if (reach.frames_due > 0 || !reach.desk.input().empty() || reach.desk.workbench().viewport().goes_on())
         glfwPollEvents();
-    else if (reach.desk.workbench().study().busy() || reach.desk.workbench().exact().busy())
+    else if (reach.desk.workbench().is_busy())
         glfwWaitEventsTimeout(look_at_progress_every);
     else
         glfwWaitEvents();
@@ -169,7 +170,8 @@ void run_window(WindowRequest request) {
     else
         glfwGetWindowContentScale(window.get(), &scale, nullptr);
     Desk desk({std::move(request.content), request.file, std::move(request.door), [] { glfwPostEmptyEvent(); }, scale,
-               false});
+               false, patience});
+    if (request.file.empty()) desk.workbench().offer_start();
     Reach reach{desk};
     glfwSetWindowUserPointer(window.get(), &reach);
     connect(window.get());
