@@ -33,6 +33,19 @@ int rank_of(const Command& entry, const std::string& text) {
     return at == 0 ? 0 : at != std::string::npos ? 1 : 2;
 }
 
+/// Why it cannot be done as things are: what commands of its menu wait for.
+const char* reason_of(const Command& entry) {
+    if (entry.menu == "Arrange" || entry.menu == "Edit") return "Not now: select what it is meant for first.";
+    if (entry.menu == "Light") return "Not now: select luminaires first.";
+    if (entry.menu == "Results") return "Not now: it needs computed values, or what they are read at.";
+    return "Not now: there is nothing that it could be done to.";
+}
+
+void note_of_impossible() {
+    ImGui::Separator();
+    ImGui::TextColored(style::colour(style::quiet_text), "%s", tr("Not possible as things are:"));
+}
+
 bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
 }  // namespace
@@ -68,7 +81,10 @@ std::optional<CommandId> CommandSearch::draw(const std::function<bool(CommandId)
     if (ImGui::InputTextWithHint("##text", tr("What do you want to do?"), &text_)) row_ = 0;
     widgets.note("search.text");
     tooltip("Words of a command: its name, its menu or what it does. Enter carries it out");
-    const std::vector<const Command*> found = commands_matching(text_);
+    std::vector<const Command*> found = commands_matching(text_);
+    const auto impossible =
+        std::stable_partition(found.begin(), found.end(), [&](const Command* entry) { return can(entry->id); });
+    const int possible_rows = static_cast<int>(impossible - found.begin());
     const int count = static_cast<int>(found.size());
     if (is_pressed(ImGuiKey_DownArrow)) row_ = std::min(row_ + 1, count - 1);
     if (is_pressed(ImGuiKey_UpArrow)) row_ = std::max(row_ - 1, 0);
@@ -76,13 +92,14 @@ std::optional<CommandId> CommandSearch::draw(const std::function<bool(CommandId)
     ImGui::BeginChild("rows", {0.0F, static_cast<float>(most_rows) * ImGui::GetTextLineHeightWithSpacing()});
     for (int k = 0; k < count; ++k) {
         const Command& entry = *found[static_cast<std::size_t>(k)];
-        const bool possible = can(entry.id);
+        const bool possible = k < possible_rows;
+        if (k == possible_rows) note_of_impossible();
         ImGui::PushStyleColor(ImGuiCol_Text, possible ? style::text : style::quiet_text);
         const std::string label = fmt::format("{}##{}", tr(entry.label), entry.name);
         if (ImGui::Selectable(label.c_str(), k == row_) && possible) wished = entry.id;
         ImGui::PopStyleColor();
         widgets.note("search." + std::string(entry.name));
-        tooltip(std::string(entry.help));
+        tooltip(possible ? std::string(tr(entry.help)) : fmt::format("{}\n{}", tr(entry.help), tr(reason_of(entry))));
         if (k == row_ && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
         const std::string keys = fmt::format("{}   {}", tr(entry.menu), to_text(entry.chord));
         ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(keys.c_str()).x - 6.0F * scale);
@@ -91,7 +108,7 @@ std::optional<CommandId> CommandSearch::draw(const std::function<bool(CommandId)
     if (count == 0) ImGui::TextColored(style::colour(style::quiet_text), "%s", tr("No command is called so."));
     ImGui::EndChild();
     const bool entered = is_pressed(ImGuiKey_Enter) && row_ < count;
-    if (entered && can(found[static_cast<std::size_t>(row_)]->id)) wished = found[static_cast<std::size_t>(row_)]->id;
+    if (entered && row_ < possible_rows) wished = found[static_cast<std::size_t>(row_)]->id;
     if (wished || is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return wished;

@@ -1,5 +1,6 @@
 #include "ui/panels/compare_panel.h"
 
+#include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/illuminance_text.h"
 #include "ui/panels/language.h"
@@ -85,7 +86,7 @@ std::string signed_figure(double lux) {
 void grids_table(const Solution& first, const Solution& second, CompareWish& wish, WidgetRegistry& widgets) {
     const std::vector<GridDifference> rows = compared_grids(first, second);
     if (rows.empty()) {
-        ImGui::TextDisabled("%s", tr("No calculation grid to compare."));
+        quiet_words(tr("No calculation grid to compare."));
         return;
     }
     if (!ImGui::BeginTable("compared", 6,

@@ -3,6 +3,7 @@
 #include "ui/panels/command.h"
 #include "ui/panels/dialog_frame.h"
 #include "ui/panels/icon.h"
+#include "ui/panels/keyboard_map.h"
 #include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
@@ -17,31 +18,6 @@ namespace hanei {
 namespace {
 
 bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
-
-void key_row(const std::string& keys, std::string_view what) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextColored(style::colour(style::accent), "%s", keys.c_str());
-    ImGui::TableNextColumn();
-    ImGui::PushTextWrapPos(0.0F);
-    const std::string_view words = tr(what);
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-    ImGui::PopTextWrapPos();
-}
-
-constexpr std::array mouse_map{
-    std::pair{"Click", "Choose what is under the pointer"},
-    std::pair{"Drag the chosen object", "Move it in the plan; by an arrow along that axis, by a ring turn it"},
-    std::pair{"X, Y, Z while dragging", "Keep to that axis; again: free"},
-    std::pair{"A figure while dragging", "How far it goes (0.6; 1.2 in x and y, degrees for turns); Enter ends it"},
-    std::pair{"Ctrl while dragging", "Leave the raster and the lines, or keep to them"},
-    std::pair{"Right click", "What can be done there"},
-    std::pair{"Drag the room, right drag", "Turn the view"},
-    std::pair{"Middle drag, Shift+drag", "Shift the view"},
-    std::pair{"Wheel", "Closer to, or away from, what is under the pointer"},
-    std::pair{"W A S D while walking", "Walk; drag to look, Shift is faster, Q and E lower and raise the eye"},
-    std::pair{"Drag a figure", "Change it; click it to type"},
-};
 
 }  // namespace
 
@@ -140,32 +116,8 @@ void Dialogs::choice(WidgetRegistry& widgets) {
 
 void Dialogs::keys(WidgetRegistry& widgets) {
     if (!begin("Keys and mouse", 960.0F)) return;
-    if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
-        ImGui::TableNextColumn();
-        const auto begin_list = [](const char* id) {
-            ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit);
-            ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 138.0F * style::scale());
-            ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-        };
-        ImGui::PushFont(style::fonts().small);
-        begin_list("left");
-        int shown = 0;
-        for (const Command& entry : commands()) {
-            if (entry.chord.key == Key::none) continue;
-            if (++shown == 21) {
-                ImGui::EndTable();
-                ImGui::TableNextColumn();
-                begin_list("right");
-            }
-            const std::string other = to_text(entry.other);
-            const bool variant = entry.other.key == entry.chord.key;
-            key_row(to_text(entry.chord) + (other.empty() || variant ? "" : ", " + other), entry.help);
-        }
-        for (const auto& [keys_text, what] : mouse_map) key_row(tr(keys_text), what);
-        ImGui::EndTable();
-        ImGui::PopFont();
-        ImGui::EndTable();
-    }
+    const float frame = 2.0F * ImGui::GetStyle().WindowPadding.y + 3.0F * ImGui::GetFrameHeightWithSpacing();
+    draw_keyboard_map(ImGui::GetIO().DisplaySize.y - 60.0F - frame, widgets);
     buttons_from_right(1);
     if (dialog_button("Close", "keys.close", widgets) || key_pressed(ImGuiKey_Escape)) close();
     ImGui::EndPopup();

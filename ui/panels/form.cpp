@@ -1,5 +1,6 @@
 #include "ui/panels/form.h"
 
+#include "ui/panels/elided.h"
 #include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
@@ -61,8 +62,12 @@ void Form::label(const char* text, const char* help) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(style::colour(style::quiet_text), "%s", tr(text));
-    tooltip(help);
+    const std::string shown = elided(tr(text), ImGui::GetContentRegionAvail().x);
+    ImGui::TextColored(style::colour(style::quiet_text), "%s", shown.c_str());
+    if (help != nullptr && *help != '\0')
+        tooltip(help);
+    else if (shown != tr(text))
+        tooltip(text);
     ImGui::TableNextColumn();
     ImGui::SetNextItemWidth(-FLT_MIN);
 }
@@ -172,8 +177,8 @@ void Form::fact(const char* label_text, const std::string& value, const char* un
     if (!shared_.draws()) return;
     label(label_text, nullptr);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(value.c_str());
-    if (ImGui::GetItemRectSize().x > ImGui::GetColumnWidth()) tooltip(value);
+    const float beside = *unit_text != '\0' ? ImGui::CalcTextSize(unit_text).x + ImGui::GetStyle().ItemSpacing.x : 0.0F;
+    elided_text(value, std::max(1.0F, ImGui::GetContentRegionAvail().x - beside), Elide::middle);
     if (*unit_text != '\0') unit(unit_text);
 }
 

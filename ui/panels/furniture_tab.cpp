@@ -1,4 +1,5 @@
 #include "engine/edit/furniture_edits.h"
+#include "ui/panels/elided.h"
 #include "ui/panels/furnishing.h"
 #include "ui/panels/furniture_preview.h"
 #include "ui/panels/language.h"
@@ -113,7 +114,7 @@ Furnishing::Wish Furnishing::library(const Scene& scene, ObjectId chosen, Widget
             wish.step = "Add " + std::string(kind.label);
         }
     }
-    if (!any) ImGui::TextDisabled("%s", tr("Nothing is called so"));
+    if (!any) quiet_words(tr("Nothing is called so"));
     ImGui::EndChild();
     return wish;
 }

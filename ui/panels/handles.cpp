@@ -17,6 +17,8 @@ constexpr double arrow_share = 0.13;  // lengths, of the picture's height
 constexpr double square_share = 0.045;
 constexpr double ring_share = 0.1;
 constexpr int ring_sides = 64;
+constexpr float near_reach = 1.25F;   // lengths of an arrow around the middle: where rings and squares are shown
+constexpr float shown_share = 0.55F;  // of the opacity of handles that are not pointed at
 
 struct Mark {
     Grip grip;
@@ -80,8 +82,8 @@ void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float scale) 
     const ImVec2 along{(to.x - from.x) / length, (to.y - from.y) / length};
     const ImVec2 neck{to.x - 11.0F * scale * along.x, to.y - 11.0F * scale * along.y};
     const ImVec2 side{-5.0F * scale * along.y, 5.0F * scale * along.x};
-    list.AddLine(from, neck, style::shade, 4.5F * scale);
-    list.AddLine(from, neck, colour, 2.5F * scale);
+    list.AddLine(from, neck, style::shade, 4.0F * scale);
+    list.AddLine(from, neck, colour, 2.0F * scale);
     list.AddTriangleFilled(to, {neck.x + side.x, neck.y + side.y}, {neck.x - side.x, neck.y - side.y}, colour);
 }
 
@@ -103,8 +105,8 @@ void square(ImDrawList& list, Grip grip, const HandleSight& sight, ImU32 colour)
         if (!seen) return;
         corners[static_cast<std::size_t>(k)] = *seen;
     }
-    list.AddConvexPolyFilled(corners.data(), 4, (colour & 0x00FFFFFFU) | 0x80000000U);
-    list.AddPolyline(corners.data(), 4, colour, ImDrawFlags_Closed, 1.2F * style::scale());
+    list.AddConvexPolyFilled(corners.data(), 4, style::faded(colour, 0.4F));
+    list.AddPolyline(corners.data(), 4, colour, ImDrawFlags_Closed, style::scale());
 }
 
 void ring(ImDrawList& list, Grip grip, const HandleSight& sight, ImU32 colour, ImVec2 knob) {
@@ -121,11 +123,10 @@ void ring(ImDrawList& list, Grip grip, const HandleSight& sight, ImU32 colour, I
     for (const std::vector<ImVec2>& run : sight.pane.on_screen(places)) {
         if (run.size() < 2) continue;
         const int count = static_cast<int>(run.size());
-        list.AddPolyline(run.data(), count, style::shade, ImDrawFlags_None, 3.0F * scale);
-        list.AddPolyline(run.data(), count, (colour & 0x00FFFFFFU) | 0xB0000000U, ImDrawFlags_None, 1.4F * scale);
+        list.AddPolyline(run.data(), count, colour, ImDrawFlags_None, 1.2F * scale);
     }
-    list.AddCircleFilled(knob, 6.5F * scale, style::shade);
-    list.AddCircleFilled(knob, 5.0F * scale, colour);
+    list.AddCircleFilled(knob, 5.5F * scale, style::shade);
+    list.AddCircleFilled(knob, 4.0F * scale, colour | IM_COL32_A_MASK);
 }
 
 void chip(ImVec2 middle, const std::string& text, ImU32 colour, ImFont* font) {
@@ -136,6 +137,12 @@ void chip(ImVec2 middle, const std::string& text, ImU32 colour, ImFont* font) {
     list.AddRectFilled({at.x - 6.0F * scale, at.y - 2.0F * scale},
                        {at.x + size.x + 6.0F * scale, at.y + size.y + 3.0F * scale}, style::card, 4.0F * scale);
     list.AddText(font, font->FontSize, at, colour, text.c_str());
+}
+
+/// Rings and squares come with the pointer: away from what is chosen the arrows alone are calm to look at.
+bool is_near(const HandleSight& sight, ImVec2 origin, ImVec2 at) {
+    const float length = static_cast<float>(arrow_share) * sight.pane.height;
+    return std::hypot(at.x - origin.x, at.y - origin.y) < near_reach * length;
 }
 
 }  // namespace
@@ -163,19 +170,24 @@ void draw_handles(const HandleSight& sight, std::optional<Grip> held, std::optio
     if (!origin) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float scale = style::scale();
+    const bool near = is_near(sight, *origin, ImGui::GetIO().MousePos);
     for (const Mark& mark : marks()) {
         const auto seen = mark_on_screen(mark.grip, sight);
         if (!seen || (held && *held != mark.grip)) continue;
-        const ImU32 colour = lit == mark.grip ? style::accent : mark.colour;
+        const float reach = 5.0F * scale;
+        if (widgets != nullptr)
+            widgets->note(mark.name, {seen->x - reach, seen->y - reach, seen->x + reach, seen->y + reach});
+        if (!held && !near && !is_arrow(mark.grip)) continue;
+        const bool pointed = lit == mark.grip;
+        const ImU32 colour = pointed                       ? ImU32(style::accent)
+                             : is_arrow(mark.grip) || held ? mark.colour
+                                                           : style::faded(mark.colour, shown_share);
         if (is_arrow(mark.grip))
             arrow(list, *origin, *seen, colour, scale);
         else if (is_ring(mark.grip))
             ring(list, mark.grip, sight, colour, *seen);
         else
             square(list, mark.grip, sight, colour);
-        const float reach = 5.0F * scale;
-        if (widgets != nullptr)
-            widgets->note(mark.name, {seen->x - reach, seen->y - reach, seen->x + reach, seen->y + reach});
     }
     list.AddCircleFilled(*origin, 5.0F * scale, style::shade);
     list.AddCircleFilled(*origin, 3.5F * scale, style::accent);

@@ -1,6 +1,7 @@
 #include "ui/panels/histogram_panel.h"
 
 #include "engine/edit/edit.h"
+#include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/illuminance_text.h"
 #include "ui/panels/language.h"
@@ -98,7 +99,7 @@ void HistogramPanel::plot(const ViewOptions& look, WidgetRegistry& widgets) cons
 void HistogramPanel::table(const SolutionSnapshot& solution, ObjectId chosen, const ViewOptions& look,
                            WidgetRegistry& widgets) {
     if (!solution || !solution->display) {
-        ImGui::TextDisabled("%s", tr("The first values are being computed."));
+        quiet_words(tr("The first values are being computed."));
         return;
     }
     const bool of_grid = kind_of(*solution->scene, chosen) == ObjectKind::grid;
@@ -112,7 +113,7 @@ void HistogramPanel::table(const SolutionSnapshot& solution, ObjectId chosen, co
     if (levels_.empty())
         for (const double level : {100.0, 200.0, 300.0, 500.0, 750.0, 1000.0}) levels_.push_back(level);
     if (made_.samples.empty()) {
-        ImGui::TextDisabled("%s", tr("There are no values of this part of the light here."));
+        quiet_words(tr("There are no values of this part of the light here."));
         return;
     }
     ImGui::BeginChild("histogram facts", {facts_width * style::scale(), 0.0F});

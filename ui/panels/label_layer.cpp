@@ -1,9 +1,12 @@
 #include "ui/panels/label_layer.h"
 
 #include "engine/edit/edit.h"
+#include "ui/panels/pin_tool.h"
 #include "ui/panels/style.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hanei {
 namespace {
@@ -20,6 +23,52 @@ void draw_mark(ImDrawList& list, const ValueLabel& label, ImVec2 middle, ImVec2 
     const ImVec2 foot{middle.x, middle.y + way * half.y};
     list.AddTriangleFilled({foot.x - reach, foot.y}, {foot.x + reach, foot.y}, {foot.x, foot.y + way * reach},
                            strong_ground);
+}
+
+/// The place of a chosen pin's label: beside its handles, on the side from which arrows point away.
+ImVec2 clear_of_arrows(const Pane& pane, const Vec3& place, ImVec2 of) {
+    constexpr double length = 0.1;  // of the picture's height
+    constexpr int sides = 8;
+    const double reach = length * picture_height_at(pane.camera, place);
+    ImVec2 best{0.0F, 1.0F};
+    float least = 1e9F;
+    for (int side = 0; side < sides; ++side) {
+        const double angle = 2.0 * std::numbers::pi * side / sides;
+        const ImVec2 way{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+        float nearness = 0.0F;
+        for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+            const auto tip = pane.on_screen(place + reach * direction_of(axis));
+            if (!tip) continue;
+            const float away = std::max(1.0F, std::hypot(tip->x - of.x, tip->y - of.y));
+            nearness = std::max(nearness, (way.x * (tip->x - of.x) + way.y * (tip->y - of.y)) / away);
+        }
+        if (nearness >= least) continue;
+        least = nearness;
+        best = way;
+    }
+    return best;
+}
+
+const CalculationPoint* pin_of(const Scene& scene, ObjectId id) {
+    for (const CalculationPoint& point : scene.points)
+        if (point.id == id) return &point;
+    return nullptr;
+}
+
+bool overlap(const ScreenRect& a, const ScreenRect& b) {
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+/// Where handles.h writes how far a drag has gone.
+std::optional<ScreenRect> readout_of(const Pane& pane, const std::optional<Vec3>& dragged) {
+    const auto at = dragged ? pane.on_screen(*dragged) : std::nullopt;
+    if (!at) return std::nullopt;
+    const float scale = style::scale();
+    return ScreenRect{at->x - 110.0F * scale, at->y + 12.0F * scale, at->x + 110.0F * scale, at->y + 62.0F * scale};
+}
+
+bool is_within(const ScreenRect& rect, ImVec2 at) {
+    return at.x >= rect.left && at.x < rect.right && at.y >= rect.top && at.y < rect.bottom;
 }
 
 }  // namespace
@@ -41,6 +90,9 @@ void LabelLayer::draw(const PaneSight& sight, WidgetRegistry& widgets) {
     const Pane& pane = sight.pane;
     const PixelSize size{static_cast<int>(pane.width), static_cast<int>(pane.height)};
     Kept& kept = kept_[sight.number];
+    std::vector<Pin>& pins = pins_[sight.number];
+    pins.clear();
+    const std::optional<ScreenRect> readout = readout_of(pane, dragged);
     const bool same = kept.solution == sight.answer && kept.options == look && kept.size == size;
     if (!same || kept.camera != pane.camera)
         kept = {value_labels(*sight.answer, pane.camera, look, size, static_cast<double>(style::scale())), sight.answer,
@@ -52,10 +104,20 @@ void LabelLayer::draw(const PaneSight& sight, WidgetRegistry& widgets) {
                       std::floor(pane.top + static_cast<float>(at.y) * pane.height));
     };
     for (const ValueLabel& label : kept.labels) {
-        const ImVec2 middle = on_screen(label.at), of = on_screen(label.place);
+        ImVec2 middle = on_screen(label.at);
+        const ImVec2 of = on_screen(label.place);
         const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e4F, 0.0F, label.text.c_str());
         const ImVec2 half{0.5F * text.x + 4.0F * style::scale(), 0.5F * text.y + 1.0F};
         const bool is_point = label.kind == ValueLabel::Kind::point;
+        const CalculationPoint* const pin = is_point ? pin_of(*sight.scene, label.object) : nullptr;
+        const bool chosen = pin != nullptr && sight.selection.holds(label.object);
+        if (chosen) {
+            const float away = 46.0F * style::scale();
+            const ImVec2 way = clear_of_arrows(pane, pin->position, of);
+            middle = {std::floor(of.x + way.x * (away + half.x)), std::floor(of.y + way.y * away)};
+        }
+        const ScreenRect rect{middle.x - half.x, middle.y - half.y, middle.x + half.x, middle.y + half.y};
+        if (readout && overlap(rect, *readout)) continue;
         if (is_point) {
             list.AddLine(of, middle, leader_shade, 3.0F * style::scale());
             list.AddLine(of, middle, leader, 1.3F * style::scale());
@@ -63,17 +125,25 @@ void LabelLayer::draw(const PaneSight& sight, WidgetRegistry& widgets) {
             list.AddCircleFilled(of, 3.2F * style::scale(), leader);
         }
         draw_mark(list, label, middle, half);
-        const ImU32 under = is_point && sight.selection.holds(label.object) ? chosen_ground
-                            : label.kind == ValueLabel::Kind::figure        ? ground
-                                                                            : strong_ground;
-        list.AddRectFilled({middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y}, under,
-                           3.0F * style::scale());
+        const ImU32 under = chosen ? chosen_ground : label.kind == ValueLabel::Kind::figure ? ground : strong_ground;
+        list.AddRectFilled({rect.left, rect.top}, {rect.right, rect.bottom}, under, 3.0F * style::scale());
         list.AddText(font, font->FontSize, {middle.x - 0.5F * text.x, middle.y - 0.5F * text.y}, ink,
                      label.text.c_str());
-        if (is_point && sight.number == 0)
-            widgets.note("pin." + display_name(*sight.scene, label.object),
-                         {middle.x - half.x, middle.y - half.y, middle.x + half.x, middle.y + half.y});
+        if (!is_point) continue;
+        pins.push_back({label.object, rect});
+        if (sight.number == 0) widgets.note("pin." + display_name(*sight.scene, label.object), rect);
     }
+}
+
+std::unique_ptr<ViewTool> LabelLayer::take(const PaneSight& sight) {
+    if (others != nullptr)
+        if (std::unique_ptr<ViewTool> taken = others->take(sight)) return taken;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const std::vector<Pin>& pins = pins_[sight.number];
+    const auto found =
+        std::find_if(pins.rbegin(), pins.rend(), [&](const Pin& pin) { return is_within(pin.label, mouse); });
+    if (found == pins.rend() || pin_of(*sight.scene, found->id) == nullptr) return nullptr;
+    return std::make_unique<PinTool>(found->id, sight, snap);
 }
 
 }  // namespace hanei

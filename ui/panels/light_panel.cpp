@@ -1,6 +1,7 @@
 #include "ui/panels/light_panel.h"
 
 #include "engine/edit/arrangements.h"
+#include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
@@ -19,14 +20,22 @@ namespace {
 constexpr float small_button = 44.0F;  // pixels at scale 1: "Alone" in small letters
 constexpr std::size_t scenes_by_key = 9;
 
+/// Of a button in small letters.
+float small_width(const char* label) {
+    ImGui::PushFont(style::fonts().small);
+    const float words = ImGui::CalcTextSize(tr(label)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    ImGui::PopFont();
+    return std::max(small_button * style::scale(), words);
+}
+
 bool small(const char* label, const std::string& name, const char* help, bool pressed_in, WidgetRegistry& widgets) {
+    const float width = small_width(label);
     ImGui::PushFont(style::fonts().small);
     if (pressed_in) {
         ImGui::PushStyleColor(ImGuiCol_Button, style::accent);
         ImGui::PushStyleColor(ImGuiCol_Text, style::ground);
     }
-    const bool pressed =
-        ImGui::Button(fmt::format("{}##{}", tr(label), name).c_str(), {small_button * style::scale(), 0.0F});
+    const bool pressed = ImGui::Button(fmt::format("{}##{}", tr(label), name).c_str(), {width, 0.0F});
     if (pressed_in) ImGui::PopStyleColor(2);
     ImGui::PopFont();
     widgets.note(name);
@@ -102,9 +111,11 @@ void LightPanel::group(const Scene& scene, const ControlGroup& group, const std:
     const float height = ImGui::GetTextLineHeight(), radius = 4.0F * scale;
     const ImU32 mark = group.dimming > 0.0 ? mark_of_light(group.colour_temperature) : style::quiet_text;
     const int members = members_of(scene, group.id);
-    const float buttons = 2.0F * (small_button * scale + ImGui::GetStyle().ItemSpacing.x);
+    const float buttons = small_width("Alone") + small_width("Off") + 2.0F * ImGui::GetStyle().ItemSpacing.x;
     const float room = std::max(40.0F * scale, ImGui::GetContentRegionAvail().x - buttons);
-    const std::string label = fmt::format("      {}   {}###name", group.name, members);
+    const std::string words =
+        elided(fmt::format("{}   {}", group.name, members), room - ImGui::CalcTextSize("      ").x, Elide::middle);
+    const std::string label = fmt::format("      {}###name", words);
     ImGui::AlignTextToFramePadding();
     if (ImGui::Selectable(label.c_str(), selection.primary() == group.id, 0, {room, 0.0F})) outcome.chosen = group.id;
     widgets.note("light.group." + group.name);

@@ -1,6 +1,7 @@
 #include "ui/panels/messages_panel.h"
 
 #include "engine/edit/edit.h"
+#include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/icon.h"
 #include "ui/panels/language.h"
@@ -116,7 +117,9 @@ std::optional<ObjectId> MessagesPanel::draw(const Scene& scene, const Diagnostic
         for (const std::string& text :
              {shown[k].time, shown[k].source, exists ? display_name(scene, object) : std::string()}) {
             ImGui::TableNextColumn();
-            ImGui::TextDisabled("%s", text.c_str());
+            ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
+            elided_text(text, 0.0F, Elide::middle);
+            ImGui::PopStyleColor();
         }
         ImGui::TableNextColumn();
         Diagnostic plain = finding;

@@ -1,6 +1,8 @@
 #include "ui/panels/object_tree.h"
 
 #include "ui/panels/choosing.h"
+#include "ui/panels/elided.h"
+#include "ui/panels/form.h"
 #include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/property_rows.h"
@@ -60,9 +62,12 @@ private:
         const bool taken_along = !chosen && std::find(within_.begin(), within_.end(), id) != within_.end();
         ImGui::PushID(static_cast<int>(id.value));
         if (taken_along) ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
-        if (ImGui::Selectable(("      " + name).c_str(), chosen || taken_along)) clicked = id;
+        const float indent = ImGui::CalcTextSize("      ").x;
+        const std::string shown = elided(name, ImGui::GetContentRegionAvail().x - indent, Elide::middle);
+        if (ImGui::Selectable(("      " + shown + "###row").c_str(), chosen || taken_along)) clicked = id;
         if (taken_along) ImGui::PopStyleColor();
         widgets_.note("tree." + name);
+        if (shown.size() != name.size()) tooltip(name);
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
             clicked = id;
             by_right_button = true;

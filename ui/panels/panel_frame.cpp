@@ -1,5 +1,6 @@
 #include "ui/panels/panel_frame.h"
 
+#include "ui/panels/elided.h"
 #include "ui/panels/language.h"
 #include "ui/panels/style.h"
 
@@ -42,13 +43,29 @@ void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, flo
     ImGui::SetCursorScreenPos(keep);
 }
 
+void begin_wide(const char* name, float least_width) {
+    const float least = least_width * style::scale();
+    const bool rolls = ImGui::GetContentRegionAvail().x < least;
+    if (rolls) ImGui::SetNextWindowContentSize({least, 0.0F});
+    ImGui::BeginChild(name, {0.0F, 0.0F}, false,
+                      rolls ? ImGuiWindowFlags_HorizontalScrollbar : ImGuiWindowFlags_NoScrollbar);
+}
+
+void end_wide() { ImGui::EndChild(); }
+
 void headline(std::string_view text, std::string_view quiet) {
+    const float room = ImGui::GetContentRegionAvail().x, space = ImGui::GetStyle().ItemSpacing.x;
+    const float wanted =
+        quiet.empty() ? 0.0F : ImGui::CalcTextSize(quiet.data(), quiet.data() + quiet.size()).x + space;
+    constexpr float greatest_share = 0.45F;  // of the line, of the quiet word where both have too little room
     ImGui::PushFont(style::fonts().strong);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    elided_text(text, std::max(1.0F, room - std::min(wanted, greatest_share * room)), Elide::middle);
     ImGui::PopFont();
     if (!quiet.empty()) {
         ImGui::SameLine();
-        ImGui::TextColored(style::colour(style::quiet_text), "%.*s", static_cast<int>(quiet.size()), quiet.data());
+        ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
+        elided_text(quiet);
+        ImGui::PopStyleColor();
     }
     ImGui::Dummy({0.0F, 2.0F * style::scale()});
 }

@@ -4,6 +4,7 @@
 #include "ui/panels/widget_registry.h"
 
 #include <cstddef>
+#include <imgui.h>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,14 @@ void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, flo
 
 /// A title in strong letters with a quiet word behind it.
 void headline(std::string_view text, std::string_view quiet);
+
+/// Of tab bars: tabs keep their words. Where they have no room side by side the bar is rolled by its
+/// arrows or the wheel, and its list names all of them.
+constexpr int tab_look = ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
+
+/// Within a panel: content that needs this width (at scale 1). Where there is less it is rolled sideways.
+void begin_wide(const char* name, float least_width);
+void end_wide();
 
 /// A tab of the open tab bar, noted as "tab.LABEL"; a count above 0 stands behind the label. `to_front`: it
 /// is chosen in this frame.

@@ -3,6 +3,7 @@
 #include "engine/base/stoppable.h"
 #include "engine/base/whole_file.h"
 #include "ui/panels/language.h"
+#include "ui/view/legend.h"
 #include "ui/view/picture_text.h"
 
 #include <algorithm>
@@ -15,6 +16,13 @@ namespace hanei {
 
 PictureExport::PictureExport(std::function<void()> wake, double patience)
     : packing_(std::move(wake), patience, [this](const std::string& fault) { fault_ = fault; }) {}
+
+PictureRequest captioned(PictureRequest request, const Solution& solution) {
+    if (request.caption.empty()) return request;
+    const Caption whole = caption_of(solution, request.options);
+    request.caption = fmt::format("{}  ·  {}\n{}", request.caption, whole.title, whole.detail);
+    return request;
+}
 
 void PictureExport::start(std::vector<PictureJob> jobs) {
     cancel();
@@ -77,6 +85,7 @@ void PictureExport::write(const SolutionSnapshot& solution, PictureRequest reque
     request.has_caption = job.has_caption;
     request.has_scale_bar = job.has_scale_bar;
     request.has_axes = job.has_axes;
+    request = captioned(std::move(request), *solution);
     const auto image =
         std::make_shared<const Image>(job.four ? render_four_up(solution, request) : render_picture(solution, request));
     const auto text = picture_text(*solution, request.options, hash, std::chrono::system_clock::now());

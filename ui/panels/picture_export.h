@@ -20,6 +20,9 @@ struct PictureJob {
     bool has_scale_bar = true, has_axes = false;
 };
 
+/// With the caption of the solution behind the name of the kept state, which stood there alone.
+PictureRequest captioned(PictureRequest request, const Solution& solution);
+
 class PictureExport {
 public:
     /// As those of BackgroundWork: pictures are packed and written away from the frames.
@@ -38,7 +41,7 @@ public:
         std::optional<Diagnostic> fault;  ///< why it ended early
     };
     /// After a frame was painted: draws and writes the next picture, once the solution is whole. `base` is the
-    /// picture as the window shows it.
+    /// picture as the window shows it, its caption the kept state that it shows, if it does.
     /// Needs     an OpenGL context.
     Outcome step(const SolutionSnapshot& solution, bool is_fresh, const PictureRequest& base,
                  const std::function<std::string()>& project_hash);

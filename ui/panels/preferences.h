@@ -19,7 +19,7 @@ struct Preferences {
     double scale = 0.0;  ///< of letters and distances, 1 to 3; 0: as the screen says
     LengthUnit length = LengthUnit::metre;
     IlluminanceUnit illuminance = IlluminanceUnit::lux;
-    float left_width = 224.0F, right_width = 336.0F, bottom_height = 196.0F;  ///< of the panels, at scale 1
+    float left_width = 224.0F, right_width = 308.0F, bottom_height = 196.0F;  ///< of the panels, at scale 1
     std::vector<std::filesystem::path> recent;                                ///< projects, the newest first
     double autosave = 60.0;       ///< s, 5 to 600: unsaved work is kept at least as often
     bool restores_layout = true;  ///< the panels' sizes are those of the last time

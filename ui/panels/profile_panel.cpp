@@ -1,5 +1,6 @@
 #include "ui/panels/profile_panel.h"
 
+#include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/illuminance_text.h"
 #include "ui/panels/language.h"
@@ -155,7 +156,7 @@ ProfilePanel::Outcome ProfilePanel::table(const SolutionSnapshot& solution, Widg
     ImGui::BeginChild("profile plot", {0.0F, 0.0F});
     pointed_.reset();
     if (!line_ || !(line_->length() > 0.0)) {
-        ImGui::TextDisabled("%s", tr("Draw a line on a surface, or type where it begins and ends."));
+        quiet_words(tr("Draw a line on a surface, or type where it begins and ends."));
     } else if (solution) {
         if (!sampler_ || sampler_->solution() != solution || sampler_->line().from != line_->from ||
             sampler_->line().to != line_->to || asked_normal_ != line_->normal) {

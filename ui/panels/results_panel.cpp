@@ -1,6 +1,7 @@
 #include "ui/panels/results_panel.h"
 
 #include "engine/edit/edit.h"
+#include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/icon.h"
 #include "ui/panels/illuminance_text.h"
@@ -59,9 +60,8 @@ void header(std::span<const Column> columns) {
 void cell(const std::string& text, ImU32 colour = style::text) {
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(text.c_str());
+    elided_text(text);
     ImGui::PopStyleColor();
-    if (ImGui::GetItemRectSize().x > ImGui::GetColumnWidth()) tooltip(text);
 }
 
 void figure(const std::string& text) {
@@ -74,8 +74,10 @@ bool name_cell(const std::string& name, ObjectId id, ObjectId selected, WidgetRe
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(static_cast<int>(id.value));
-    const bool clicked = ImGui::Selectable(name.c_str(), id == selected, ImGuiSelectableFlags_SpanAllColumns);
+    const bool clicked = ImGui::Selectable("###row", id == selected, ImGuiSelectableFlags_SpanAllColumns);
     widgets.note("results." + name);
+    ImGui::SameLine(0.0F, 0.0F);
+    elided_text(name, 0.0F, Elide::middle);
     ImGui::PopID();
     return clicked;
 }

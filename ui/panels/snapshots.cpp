@@ -62,12 +62,17 @@ const SolutionSnapshot& Snapshots::follow(const SolutionSnapshot& present, bool 
     return now_shown_;
 }
 
+std::string Snapshots::title() const {
+    if (shown_ == Show::now) return {};
+    if (shown_ == Show::a) return fmt::format("A  ·  {}", list_[*a_].name);
+    const std::string b_name = b_ ? list_[*b_].name : tr("now");
+    if (shown_ == Show::b) return fmt::format("B  ·  {}", b_name);
+    return fmt::format("B − A  ·  {} − {}", b_name, list_[*a_].name);
+}
+
 void Snapshots::draw(const PaneSight& sight, WidgetRegistry& widgets) {
     if (sight.number != 0 || shown_ == Show::now) return;
-    const std::string b_name = b_ ? list_[*b_].name : tr("now");
-    const std::string text = shown_ == Show::a   ? fmt::format("A  ·  {}", list_[*a_].name)
-                             : shown_ == Show::b ? fmt::format("B  ·  {}", list_[*b_].name)
-                                                 : fmt::format("B − A  ·  {} − {}", b_name, list_[*a_].name);
+    const std::string text = title();
     const float scale = style::scale();
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 at{sight.pane.left + 18.0F * scale, sight.pane.top + 14.0F * scale};

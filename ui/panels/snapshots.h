@@ -40,6 +40,8 @@ public:
     const SolutionSnapshot& follow(const SolutionSnapshot& present, bool flipped);
     bool shows_difference() const { return shown_ == Show::difference; }
     bool shows_kept() const { return shown_ != Show::now; }
+    const SolutionSnapshot& shown() const { return now_shown_; }  ///< as follow() returned it
+    std::string title() const;  ///< "A  ·  before", "B − A  ·  now − before"; empty for the present one
 
     /// A against B, or against the present solution while no B is kept. Null without both.
     SolutionSnapshot first() const;

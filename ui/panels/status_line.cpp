@@ -1,4 +1,5 @@
 #include "engine/edit/several.h"
+#include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/icon.h"
 #include "ui/panels/language.h"
@@ -13,6 +14,8 @@
 
 namespace hanei {
 namespace {
+
+constexpr float greatest_right_share = 0.4F;  // of the line, where the state has too little room beside it
 
 struct Status {
     Icon icon = Icon::stale;
@@ -77,8 +80,6 @@ void Workbench::status_line(const ScreenRect& area) {
     ImGui::PopStyleVar();
     const Status status = status_of(study_, !how_.repeatable, !selection_.primary());
     icon_item(status.icon, status.ink);
-    ImGui::TextUnformatted(status.text.c_str());
-    widgets_.note("status");
     std::string right = viewport_.tool() != nullptr ? viewport_.tool()->hint() : message_;
     const Scene& scene = *document_.shown();
     if (const auto place = middle_of(scene, selection_.ids())) {
@@ -95,8 +96,13 @@ void Workbench::status_line(const ScreenRect& area) {
     if (task) right.clear();
     float width = task ? task_bar_width * style::scale() : ImGui::CalcTextSize(right.c_str()).x;
     if (!errors.empty()) width += ImGui::CalcTextSize(errors.c_str()).x + icon_size() + 30.0F * style::scale();
-    ImGui::SameLine(
-        std::max(ImGui::GetItemRectMax().x + 24.0F, area.right - area.left - width - 14.0F * style::scale()));
+    const float margin = 14.0F * style::scale(), whole = area.right - area.left, at = ImGui::GetCursorPosX();
+    const float between = 24.0F * style::scale();
+    const float least_right = task ? width : std::min(width, greatest_right_share * whole);
+    elided_text(status.text, std::max(1.0F, whole - at - least_right - between - margin));
+    widgets_.note("status");
+    const float begin = ImGui::GetItemRectMax().x - area.left + between;
+    ImGui::SameLine(std::max(begin, whole - width - margin));
     if (!errors.empty()) {
         icon_item(Icon::error, style::error);
         ImGui::TextColored(style::colour(style::error), "%s", errors.c_str());
@@ -108,8 +114,11 @@ void Workbench::status_line(const ScreenRect& area) {
     if (task) {
         task_bar(*task, widgets_);
     } else {
-        ImGui::TextColored(style::colour(style::quiet_text), "%s", right.c_str());
-        tooltip("Click: what moved objects catch at");
+        const float room = whole - ImGui::GetCursorPosX() - margin;
+        const std::string shown = elided(right, room);
+        ImGui::TextColored(style::colour(style::quiet_text), "%s", shown.c_str());
+        tooltip(shown.size() == right.size() ? std::string(tr("Click: what moved objects catch at"))
+                                             : fmt::format("{}\n{}", right, tr("Click: what moved objects catch at")));
         widgets_.note("status.snap");
         if (ImGui::IsItemClicked()) snap_popup_.open();
     }

@@ -10,14 +10,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
 
 namespace hanei {
 namespace {
 
-/// Where words find no room, drawings stand for them.
-bool is_narrow = false;
+/// Where words find no room, the parts of the light become a list, then drawings stand for words, and
+/// what is left goes to a second row.
+enum class Fit { words, list, drawings };
+Fit fit = Fit::words;
+bool is_narrow() { return fit == Fit::drawings; }
+
+/// Goes to the next row when an item of this width has no room in this one.
+void flow(float width) {
+    if (ImGui::GetCursorPosX() + width > ImGui::GetContentRegionMax().x) ImGui::NewLine();
+}
+
+float width_of_button(const char* word) {
+    return ImGui::CalcTextSize(tr(word)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
 
 std::string help_of(const Command& entry) {
     const std::string chord = to_text(entry.chord);
@@ -27,7 +40,8 @@ std::string help_of(const Command& entry) {
 /// One of a row of buttons of which one is on.
 bool segment(const char* label, bool on, CommandId id, WidgetRegistry& widgets, Icon icon = Icon::none) {
     const Command& entry = command(id);
-    if (is_narrow && icon != Icon::none) {
+    flow(is_narrow() && icon != Icon::none ? ImGui::GetFrameHeight() : width_of_button(label));
+    if (is_narrow() && icon != Icon::none) {
         const bool chosen = icon_button(std::string(entry.name).c_str(), icon, help_of(entry), on, widgets);
         ImGui::SameLine(0.0F, 2.0F * style::scale());
         return chosen;
@@ -44,12 +58,21 @@ bool segment(const char* label, bool on, CommandId id, WidgetRegistry& widgets, 
 
 void gap() {
     ImGui::SameLine(0.0F, 6.0F * style::scale());
+    if (ImGui::GetCursorPosX() + ImGui::GetFrameHeight() > ImGui::GetContentRegionMax().x) return;  // a row's end
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight();
     ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 4.0F}, {at.x, at.y + height - 4.0F},
                                         ImGui::GetColorU32(ImGuiCol_Separator));
     ImGui::Dummy({1.0F, height});
     ImGui::SameLine(0.0F, 5.0F * style::scale());
+}
+
+/// Of the list of the parts of the light.
+float width_of_list() {
+    float widest = 0.0F;
+    for (const char* word : {"Total", "Direct", "Interreflected", "Unshadowed", "Four"})
+        widest = std::max(widest, ImGui::CalcTextSize(tr(word)).x);
+    return widest + 2.0F * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight();
 }
 
 void parts(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
@@ -70,21 +93,21 @@ void parts(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
     };
     const auto found = std::find_if(choices.begin(), choices.end(), is_on);
     const char* const present = found == choices.end() ? "Four" : found->label;
-    const float arrow = ImGui::GetFrameHeight();
-    if (is_narrow) ImGui::SetNextItemWidth(ImGui::CalcTextSize(tr("Interreflected")).x + arrow);
-    if (is_narrow && ImGui::BeginCombo("##part", tr(present))) {
-        for (const Choice& choice : choices) {
-            if (ImGui::Selectable(tr(choice.label), is_on(choice))) state.show(choice.part, scene);
+    if (fit == Fit::words) {
+        for (const Choice& choice : choices)
+            if (segment(choice.label, is_on(choice), choice.command, widgets)) state.show(choice.part, scene);
+    } else {
+        ImGui::SetNextItemWidth(width_of_list());
+        if (ImGui::BeginCombo("##part", tr(present))) {
+            for (const Choice& choice : choices) {
+                if (ImGui::Selectable(tr(choice.label), is_on(choice))) state.show(choice.part, scene);
+                widgets.note(fmt::format("view.part.{}", choice.label));
+            }
+            ImGui::EndCombo();
         }
-        ImGui::EndCombo();
-    }
-    if (is_narrow) {
         widgets.note("view.part");
         tooltip("Which light is shown");
         ImGui::SameLine(0.0F, 2.0F * style::scale());
-    }
-    for (const Choice& choice : choices) {
-        if (!is_narrow && segment(choice.label, is_on(choice), choice.command, widgets)) state.show(choice.part, scene);
     }
     if (segment("Four", four, CommandId::four_up, widgets, Icon::four)) {
         state.toggle(PaneLayout::four_parts, scene);
@@ -94,7 +117,8 @@ void parts(ViewState& state, const Scene& scene, WidgetRegistry& widgets) {
 
 /// A word, or its drawing, that opens a menu.
 bool opener(const char* label, const char* name, Icon icon, const char* help, WidgetRegistry& widgets) {
-    if (is_narrow) return icon_button(name, icon, tr(help), false, widgets);
+    flow(is_narrow() ? ImGui::GetFrameHeight() : width_of_button(label));
+    if (is_narrow()) return icon_button(name, icon, tr(help), false, widgets);
     const bool pressed = ImGui::Button(fmt::format("{}##{}", tr(label), label).c_str());
     widgets.note(name);
     tooltip(help);
@@ -151,22 +175,29 @@ std::optional<ViewEdit> views_menu(ViewState& state, const Scene& scene, WidgetR
     return edit;
 }
 
-/// Of the whole bar with its words.
-float width_of_words() {
-    const float padding = 2.0F * ImGui::GetStyle().FramePadding.x + 2.0F * style::scale();
-    float width = 3.0F * 12.0F * style::scale();                        // the gaps
-    width += 2.0F * (ImGui::GetFrameHeight() + 2.0F * style::scale());  // tools
-    for (const char* word : {"Total", "Direct", "Interreflected", "Unshadowed", "Four", "False colour", "Photo",
-                             "Shadows", "Outlines", "Scale", "Views"})
-        width += ImGui::CalcTextSize(tr(word)).x + padding;
+/// Of the whole bar with its words, the parts of the light side by side or as a list.
+float width_of_words(bool with_list) {
+    const float gap = 2.0F * style::scale();
+    float width = 3.0F * 12.0F * style::scale();       // between groups
+    width += 2.0F * (ImGui::GetFrameHeight() + gap);  // tools
+    if (with_list)
+        width += width_of_list() + gap;
+    else
+        for (const char* word : {"Total", "Direct", "Interreflected", "Unshadowed"})
+            width += width_of_button(word) + gap;
+    for (const char* word : {"Four", "False colour", "Photo", "Shadows", "Outlines", "Scale", "Views"})
+        width += width_of_button(word) + gap;
     return width;
 }
+
+int rows = 1;  ///< of the frame before
 
 }  // namespace
 
 std::optional<ViewEdit> view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution,
                                  WidgetRegistry& widgets) {
-    is_narrow = ImGui::GetContentRegionAvail().x < width_of_words();
+    const float room = ImGui::GetContentRegionAvail().x, top = ImGui::GetCursorPosY();
+    fit = room >= width_of_words(false) ? Fit::words : room >= width_of_words(true) ? Fit::list : Fit::drawings;
     ImGui::PushStyleColor(ImGuiCol_Button, style::none);
     parts(state, scene, widgets);
     gap();
@@ -187,7 +218,14 @@ std::optional<ViewEdit> view_bar(ViewState& state, const Scene& scene, const Sol
     ImGui::SameLine(0.0F, 2.0F * style::scale());
     std::optional<ViewEdit> edit = views_menu(state, scene, widgets);
     ImGui::PopStyleColor();
+    rows =
+        std::max(1, static_cast<int>(std::lround((ImGui::GetCursorPosY() - top) / ImGui::GetFrameHeightWithSpacing())));
     return edit;
+}
+
+float view_bar_height() {
+    const float rest = 12.0F * style::scale(), row = ImGui::GetFrameHeightWithSpacing();
+    return static_cast<float>(rows) * row - ImGui::GetStyle().ItemSpacing.y + rest;
 }
 
 }  // namespace hanei

@@ -11,6 +11,9 @@ namespace hanei {
 std::optional<ViewEdit> view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution,
                                  WidgetRegistry& widgets);
 
+/// With its margins: of one row, or of more where the last frame needed them.
+float view_bar_height();
+
 /// Pixels that the scale takes at the right of the view.
 float legend_margin();
 

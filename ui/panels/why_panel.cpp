@@ -1,6 +1,7 @@
 #include "ui/panels/why_panel.h"
 
 #include "engine/edit/edit.h"
+#include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/illuminance_text.h"
 #include "ui/panels/language.h"
@@ -21,16 +22,6 @@ constexpr double worth_telling = 5e-4;  // of the whole: less is no row, but the
 double whole_of(const Contributions& made) { return made.value.total().value; }
 
 double share_of(double lux, double whole) { return whole > 0.0 ? lux / whole : 0.0; }
-
-std::string shortened(const std::string& text, float room) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
-    std::string fitting = text;
-    while (!fitting.empty() && ImGui::CalcTextSize((fitting + "…").c_str()).x > room) {
-        while (fitting.size() > 1 && (fitting.back() & 0xC0) == 0x80) fitting.pop_back();
-        fitting.pop_back();
-    }
-    return fitting + "…";
-}
 
 }  // namespace
 
@@ -92,7 +83,7 @@ std::optional<ObjectId> WhyPanel::draw_table(const Table& table, int number, Wid
         const std::string figures =
             fmt::format("{}  {:.1f} %", illuminance_figure(row.lux), 100.0 * share_of(row.lux, whole));
         const float room = ImGui::CalcTextSize(figures.c_str()).x;
-        const std::string name = shortened(tr(row.name.c_str()), width - room - 16.0F * scale);
+        const std::string name = elided(tr(row.name.c_str()), width - room - 16.0F * scale, Elide::middle);
         tooltip(fmt::format("{}: {}  {:.1f} %", row.name, illuminance_text(row.lux), 100.0 * share_of(row.lux, whole)));
         list.AddText({at.x + 5.0F * scale, at.y + 1.0F}, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
         list.AddText({at.x + width - room - 5.0F * scale, at.y + 1.0F}, ImGui::GetColorU32(ImGuiCol_Text),
@@ -107,15 +98,15 @@ std::optional<ObjectId> WhyPanel::table(const Scene& scene, WidgetRegistry& widg
     is_open_ = true;
     pointed_.reset();
     if (!place_) {
-        ImGui::TextDisabled("%s", tr("Point at a place in the view and press Y, or choose a calculation point."));
+        quiet_words(tr("Point at a place in the view and press Y, or choose a calculation point."));
         return std::nullopt;
     }
     if (!made_) {
-        ImGui::TextDisabled("%s", tr("The light is being divided by where it comes from."));
+        quiet_words(tr("The light is being divided by where it comes from."));
         return std::nullopt;
     }
     if (made_->value.inside_solid) {
-        ImGui::TextDisabled("%s", tr("The place lies inside furniture: no light arrives."));
+        quiet_words(tr("The place lies inside furniture: no light arrives."));
         return std::nullopt;
     }
     const PointValue& value = made_->value;

@@ -3,32 +3,13 @@
 #include "engine/edit/edit.h"
 #include "ui/panels/style.h"
 #include "ui/panels/units.h"
+#include "ui/panels/window_layout.h"
 
 #include <algorithm>
 #include <cmath>
 #include <imgui_internal.h>
 
 namespace hanei {
-namespace {
-
-constexpr float centre_width = 400.0F;       // at scale 1: what the view wants at least
-constexpr float least_centre_share = 0.42F;  // of a window too narrow for that
-constexpr float greatest_bottom_share = 0.45F;
-
-/// Side panels give way where the window is narrow for its scale, both by the same share.
-struct SideWidths {
-    float left, right;
-};
-
-SideWidths side_widths(const Preferences& wished, float screen, float scale) {
-    const float centre = std::min(centre_width * scale, least_centre_share * screen);
-    const float sum = (wished.left_width + wished.right_width) * scale;
-    const float share = std::min(1.0F, std::max(0.0F, screen - centre) / sum);
-    return {std::floor(share * wished.left_width * scale), std::floor(share * wished.right_width * scale)};
-}
-
-}  // namespace
-
 Workbench::Workbench(ProjectContent content, std::filesystem::path file, ProjectDoor door, std::function<void()> wake,
                      Options how)
     : how_(how),
@@ -107,21 +88,13 @@ void Workbench::draw(const ViewPainter& paint) {
     follow_readings();
     menu_bar();
 
-    const float scale = style::scale();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float top = ImGui::GetFrameHeight();
-    const float status = 28.0F * scale;
-    const ScreenRect all{0.0F, top, screen.x, screen.y - status};
-    const SideWidths sides = side_widths(preferences_, screen.x, scale);
-    const float left_edge = sides.left;
-    const float right_edge = all.right - sides.right;
-    const float tallest = greatest_bottom_share * (all.bottom - all.top);
-    const float bottom_edge = all.bottom - std::min(preferences_.bottom_height * scale, tallest);
+    const WindowLayout layout = lay_out(preferences_, screen.x, screen.y, ImGui::GetFrameHeight(), style::scale());
     // Fields first: what was typed there is finished by a click elsewhere, before that click counts.
-    right({right_edge + 1.0F, all.top, all.right, all.bottom});
-    left({all.left, all.top, left_edge, all.bottom});
-    bottom({left_edge + 1.0F, bottom_edge + 1.0F, right_edge, all.bottom});
-    centre({left_edge + 1.0F, all.top, right_edge, bottom_edge}, paint);
+    right(layout.right);
+    left(layout);
+    bottom(layout.bottom);
+    centre(layout.centre, paint);
     if (shows_overview_) {
         // The view's size is known once it was drawn.
         viewport_.look_from(Standpoint::overview, *document_.shown());
@@ -129,7 +102,7 @@ void Workbench::draw(const ViewPainter& paint) {
     }
     settle();
     follow_study();
-    status_line({0.0F, all.bottom, screen.x, screen.y});
+    status_line(layout.status);
     exact_.draw(
         paint, [this] { save_exact(); }, widgets_);
     model_import_.draw(form_, file_work_.busy() ? std::optional(file_work_.task()) : std::nullopt);

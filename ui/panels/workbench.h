@@ -39,6 +39,8 @@
 
 namespace hanei {
 
+struct WindowLayout;
+
 /// Needs     a present ImGui context with style::apply() called; one thread. Pictures are exported
 ///           by after_frame(), which needs an OpenGL context.
 class Workbench {
@@ -142,7 +144,7 @@ private:
     void tool_bar(const ScreenRect& area);
     void view_bar_tools();
     void centre(const ScreenRect& area, const ViewPainter& paint);
-    void left(const ScreenRect& area);
+    void left(const WindowLayout& layout);
     void right(const ScreenRect& area);
     void bottom(const ScreenRect& area);
     void properties_tab();
@@ -211,7 +213,9 @@ private:
     std::optional<Task> running_task();
     void tell(const std::string& source, const Diagnostic& finding);  ///< in the list, and in front
     PictureRequest picture_request() const;                           ///< of the view as it is, annotated
-    void guarded(std::function<void()> then);                         ///< asks about unsaved changes first
+    SolutionSnapshot pictured() const;         ///< what the view shows: the present light or a kept one
+    PictureRequest pictured_request() const;   ///< of that
+    void guarded(std::function<void()> then);  ///< asks about unsaved changes first
     std::filesystem::path folder() const;
 
     Options how_;

@@ -1,3 +1,4 @@
+#include "ui/panels/elided.h"
 #include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
 #include "ui/panels/results_panel.h"
@@ -7,37 +8,50 @@
 #include <utility>
 
 namespace hanei {
+namespace {
+
+constexpr float table_width = 600.0F, facts_width = 400.0F;  // that their words need, at scale 1
+
+}  // namespace
 
 void Workbench::bottom(const ScreenRect& area) {
     begin_panel("##bottom", area);
     movable_edge(Edge::top, area, preferences_.bottom_height, 90.0F, 460.0F);
     const SolutionSnapshot solution = study_.answer();  // results on the way have no values yet
     const bool measured = !how_.repeatable;
-    if (ImGui::BeginTabBar("tables")) {
+    if (ImGui::BeginTabBar("tables", tab_look)) {
         if (begin_tab("Results", widgets_)) {
+            begin_wide("results", table_width);
             const bool any = solution && (!solution->grids.empty() || !solution->points.empty());
             if (!solution)
-                ImGui::TextDisabled("%s", tr("The first values are being computed."));
+                quiet_words(tr("The first values are being computed."));
             else if (!any)
-                ImGui::TextDisabled("%s", tr("No calculation grid or point yet: Add > Calculation grid."));
+                quiet_words(tr("No calculation grid or point yet: Add > Calculation grid."));
             else if (const auto clicked = results_table(*solution, selection_.primary(), widgets_))
                 selection_.choose(*clicked);
+            end_wide();
             ImGui::EndTabItem();
         }
         readings_tabs();
         if (begin_tab("Effects", widgets_)) {
+            begin_wide("effects", table_width);
             if (solution) effects_table(solution->plan, measured);
+            end_wide();
             ImGui::EndTabItem();
         }
         if (begin_tab("Energy", widgets_)) {
+            begin_wide("energy", facts_width);
             if (solution) energy_table(*solution, measured);
+            end_wide();
             ImGui::EndTabItem();
         }
         const std::size_t found = study_.findings().size() + messages_.entries().size();
         if (begin_tab("Messages", widgets_, found, std::exchange(opens_messages_, false))) {
+            begin_wide("messages", table_width);
             if (const auto clicked =
                     messages_panel_.draw(*document_.shown(), study_.findings(), messages_, measured, widgets_))
                 selection_.choose(*clicked);
+            end_wide();
             ImGui::EndTabItem();
         }
         ImGui::EndTabBar();

@@ -1,3 +1,4 @@
+#include "engine/edit/several.h"
 #include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
@@ -29,7 +30,7 @@ void Workbench::view_bar_tools() {
 
 void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
     const float scale = style::scale();
-    const float bar = ImGui::GetFrameHeight() + 12.0F * scale;
+    const float bar = view_bar_height();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8.0F * scale, 6.0F * scale});
     begin_panel("##bar", {area.left, area.top, area.right, area.top + bar});
     ImGui::PopStyleVar();
@@ -52,7 +53,11 @@ void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {
                           snap_,
                           !kept && !study_.fresh(),
                           overlays_};
-    input.grips = &furnishing_;
+    readings_.labels.others = &furnishing_;
+    readings_.labels.snap = snap_;
+    readings_.labels.dragged =
+        viewport_.dragging() ? middle_of(*document_.shown(), selection_.ids()) : std::optional<Vec3>();
+    input.grips = &readings_.labels;
     if (kept) input.painted = kept->scene;
     if (readings_.snapshots.shows_difference())
         input.difference = readings_.snapshots.range_of(viewport_.state.options.part);

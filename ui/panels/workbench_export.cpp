@@ -40,6 +40,15 @@ PictureRequest Workbench::picture_request() const {
     return request;
 }
 
+PictureRequest Workbench::pictured_request() const {
+    PictureRequest request = picture_request();
+    if (!readings_.snapshots.shows_kept()) return request;
+    request.caption = readings_.snapshots.title();
+    if (readings_.snapshots.shows_difference())
+        request.options = as_difference(std::move(request.options), readings_.snapshots.range_of(request.options.part));
+    return request;
+}
+
 void Workbench::draw_export() {
     if (!export_dialog_.is_open()) return;
     ExportDialog::Context context{document_.title(),
@@ -55,6 +64,10 @@ void Workbench::draw_export() {
     }
 }
 
+SolutionSnapshot Workbench::pictured() const {
+    return readings_.snapshots.shows_kept() ? readings_.snapshots.shown() : study_.solution();
+}
+
 std::string Workbench::project_hash() const {
     if (!door_.text) return {};
     return short_hash(door_.text(document_.content()));
@@ -64,10 +77,11 @@ void Workbench::copy_picture() {
     if (!door_.copy_picture)
         return tell("Export", error_of("pictures cannot be copied from here: export them instead"));
     try {
-        const PictureRequest request = picture_request();
-        const Image image = render_picture(study_.solution(), request);
+        const SolutionSnapshot solution = pictured();
+        const PictureRequest request = captioned(pictured_request(), *solution);
+        const Image image = render_picture(solution, request);
         const std::string png = png_bytes(
-            image, picture_text(*study_.solution(), request.options, project_hash(), std::chrono::system_clock::now()));
+            image, picture_text(*solution, request.options, project_hash(), std::chrono::system_clock::now()));
         if (const auto reason = door_.copy_picture(png)) return tell("Export", error_of(*reason));
         message_ = "Copied the picture";
     } catch (const std::runtime_error& fault) {
@@ -141,8 +155,9 @@ void Workbench::after_frame() {
     if (copies_) copy_picture();
     copies_ = false;
     if (!export_.busy()) return;
+    const bool is_whole = readings_.snapshots.shows_kept() || study_.fresh();
     const PictureExport::Outcome outcome =
-        export_.step(study_.solution(), study_.fresh(), picture_request(), [this] { return project_hash(); });
+        export_.step(pictured(), is_whole, pictured_request(), [this] { return project_hash(); });
     if (outcome.fault) tell("Export", *outcome.fault);
     if (!outcome.message.empty()) message_ = outcome.message;
 }

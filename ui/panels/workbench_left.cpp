@@ -1,14 +1,19 @@
 #include "ui/panels/panel_frame.h"
+#include "ui/panels/window_layout.h"
 #include "ui/panels/workbench.h"
 
 #include <imgui.h>
 
 namespace hanei {
 
-void Workbench::left(const ScreenRect& area) {
+void Workbench::left(const WindowLayout& layout) {
+    const ScreenRect& area = layout.left;
     begin_panel("##left", area);
-    movable_edge(Edge::right, area, preferences_.left_width, 140.0F, 420.0F);
-    if (ImGui::BeginTabBar("lists")) {
+    if (layout.stacked)
+        movable_edge(Edge::left, area, preferences_.right_width, 220.0F, 520.0F);
+    else
+        movable_edge(Edge::right, area, preferences_.left_width, 140.0F, 420.0F);
+    if (ImGui::BeginTabBar("lists", tab_look)) {
         if (begin_tab("Objects", widgets_)) {
             objects_tab();
             ImGui::EndTabItem();

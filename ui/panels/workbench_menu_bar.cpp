@@ -1,3 +1,4 @@
+#include "ui/panels/elided.h"
 #include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/measure_tool.h"
@@ -146,10 +147,12 @@ void Workbench::menu_bar() {
     }
     open.close();
     const std::string name = (document_.is_saved() ? "" : "•  ") + document_.title();
-    const float width = ImGui::CalcTextSize(name.c_str()).x;
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - 28.0F * style::scale());
-    ImGui::TextColored(style::colour(style::quiet_text), "%s", name.c_str());
-    tooltip(document_.is_saved() ? "Saved" : "Has changes that were not saved");
+    const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - 56.0F * style::scale();
+    const std::string shown = elided(name, room, Elide::middle);
+    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x - 28.0F * style::scale());
+    ImGui::TextColored(style::colour(style::quiet_text), "%s", shown.c_str());
+    const char* const state = tr(document_.is_saved() ? "Saved" : "Has changes that were not saved");
+    tooltip(shown.size() == name.size() ? std::string(state) : fmt::format("{}\n{}", document_.title(), state));
     ImGui::EndMainMenuBar();
 }
 

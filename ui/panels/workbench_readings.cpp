@@ -8,6 +8,12 @@
 #include <utility>
 
 namespace hanei {
+namespace {
+
+// What their fields and figures need, at scale 1.
+constexpr float compare_width = 680.0F, profile_width = 560.0F, histogram_width = 520.0F;
+
+}  // namespace
 
 void Workbench::follow_readings() { readings_.why.follow(*document_.shown(), selection_.primary(), study_); }
 
@@ -19,16 +25,22 @@ void Workbench::readings_tabs() {
         ImGui::EndTabItem();
     }
     if (begin_tab("Compare", widgets_, 0, front == "Compare")) {
+        begin_wide("compare", compare_width);
         compare_tab();
+        end_wide();
         ImGui::EndTabItem();
     }
     readings_.profile.begin_frame();
     if (begin_tab("Profile", widgets_, 0, front == "Profile")) {
+        begin_wide("profile", profile_width);
         profile_tab();
+        end_wide();
         ImGui::EndTabItem();
     }
     if (begin_tab("Histogram", widgets_, 0, front == "Histogram")) {
+        begin_wide("histogram", histogram_width);
         readings_.histogram.table(study_.answer(), selection_.primary(), viewport_.state.options, widgets_);
+        end_wide();
         ImGui::EndTabItem();
     }
 }

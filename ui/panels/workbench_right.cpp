@@ -65,7 +65,9 @@ void Workbench::room_tab() {
 }
 
 void Workbench::furniture_tab() {
-    furnishing_wish(furnishing_.library(*document_.shown(), selection_.primary(), widgets_));
+    Furnishing::Wish wish = furnishing_.library(*document_.shown(), selection_.primary(), widgets_);
+    if (wish.scene || wish.tool) document_.settle();  // what was being changed stays
+    furnishing_wish(std::move(wish));
 }
 
 void Workbench::photometry_tab() {
@@ -79,7 +81,7 @@ void Workbench::photometry_tab() {
 void Workbench::right(const ScreenRect& area) {
     begin_panel("##right", area);
     movable_edge(Edge::left, area, preferences_.right_width, 220.0F, 520.0F);
-    if (ImGui::BeginTabBar("sides")) {
+    if (ImGui::BeginTabBar("sides", tab_look)) {
         if (begin_tab("Properties", widgets_)) {
             ImGui::BeginChild("fields");
             properties_tab();

@@ -58,6 +58,7 @@ Caption caption_of(const Solution& solution, const ViewOptions& look) {
     const std::string kind = look.shadow_classes
                                  ? say("Shadow classes, {}", shadows_of_text(*solution.scene, look.shadows_of))
                              : look.scale == Scale::photo ? say("photo view, {}", tr(name_of(look.part)))
+                             : look.difference            ? say("Difference: {}", heading_of(look.part))
                                                           : heading_of(look.part);
     caption.title = title.empty() ? kind : title + " – " + kind;
     if (look.shadow_outlines && !look.shadow_classes)

@@ -1,6 +1,7 @@
 #include "ui/view/canvas.h"
 #include "ui/view/frame.h"
 #include "ui/view/isolux_labels.h"
+#include "ui/view/language.h"
 #include "ui/view/legend.h"
 #include "ui/view/offscreen.h"
 #include "ui/view/picture_aids.h"
@@ -76,7 +77,7 @@ constexpr std::string_view four_parts = "four parts";
 void letter_caption(Canvas& canvas, const Solution& solution, const PictureRequest& request, const Page& page,
                     std::string_view part) {
     Caption caption = caption_of(solution, request.options);
-    if (!part.empty()) caption.title = solution.scene->title + " – Illuminance in four parts";
+    if (!part.empty()) caption.title = solution.scene->title + " – " + tr("Illuminance in four parts");
     if (!request.caption.empty()) {
         const std::size_t end = request.caption.find('\n');
         caption.title = request.caption.substr(0, end);
