@@ -6,7 +6,8 @@
 
 namespace hanei {
 
-BareDesk::BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size, Workbench::Options how)
+BareDesk::BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size, Workbench::Options how, float scale,
+                   Language language)
     : context_(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -14,7 +15,7 @@ BareDesk::BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size, Workbe
     io.ConfigDragClickToInputText = true;
     io.DisplaySize = size;
     map_keys(io);
-    style::apply(Theme::dark, 1.0F, Language::english);
+    style::apply(Theme::dark, scale, language);
     unsigned char* pixels = nullptr;
     int width = 0;
     int height = 0;

@@ -13,8 +13,8 @@ namespace hanei {
 
 class BareDesk {
 public:
-    BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size = {1280.0F, 800.0F},
-             Workbench::Options how = {true});
+    BareDesk(ProjectContent content, ProjectDoor door, ImVec2 size = {1280.0F, 800.0F}, Workbench::Options how = {true},
+             float scale = 1.0F, Language language = Language::english);
     ~BareDesk();
     BareDesk(const BareDesk&) = delete;
     BareDesk& operator=(const BareDesk&) = delete;

@@ -67,6 +67,24 @@ TEST_F(Exports, write_a_picture_that_says_what_it_shows) {
     EXPECT_EQ(said["Hanei project"].size(), 16U);
 }
 
+TEST_F(Exports, write_the_difference_while_it_is_shown_and_say_so) {
+    Driver driver(setup());
+    ASSERT_TRUE(driver.wait_settled());
+    EXPECT_DONE(driver.press("Alt+A"));
+    driver.workbench().choose(driver.workbench().document().shown()->luminaires.front().id);
+    EXPECT_DONE(driver.press("Page Down"));
+    ASSERT_TRUE(driver.wait_settled());
+    EXPECT_DONE(driver.press("J"));
+    EXPECT_DONE(driver.press("Ctrl+E"));
+    type_name(driver, "{project} {part}");
+    EXPECT_DONE(driver.click("export.accept"));
+    ASSERT_TRUE(driver.wait_until([&] { return state(driver, "message") == "Exported room total.png"; }, 20.0));
+    const auto text = read_png_text(folder / "room total.png");
+    ASSERT_TRUE(text);
+    std::map<std::string, std::string> said(text->begin(), text->end());
+    EXPECT_NE(said["Title"].find("Difference: Total illuminance"), std::string::npos) << said["Title"];
+}
+
 TEST_F(Exports, write_every_chosen_part_in_the_size_that_is_asked_for_and_compute_what_is_missing) {
     Driver driver(setup());
     ASSERT_TRUE(driver.wait_settled());

@@ -1,3 +1,4 @@
+#include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/illuminance_text.h"
 #include "ui/panels/language.h"
@@ -19,6 +20,7 @@ constexpr float bar_width = 16.0F;
 constexpr float card_width = 88.0F;
 constexpr float greatest_height = 356.0F;
 constexpr float cap_height = 9.0F;
+constexpr float least_low_height = 72.0F;
 
 ImU32 packed(const glm::vec3& colour) { return ImGui::ColorConvertFloat4ToU32({colour.r, colour.g, colour.b, 1.0F}); }
 
@@ -99,6 +101,26 @@ void end_grip(const char* name, bool top, ViewOptions& options, const ImVec2& lo
     options.range = range_dragged(begun, top, static_cast<double>(-by / length));
 }
 
+/// Without fields, where the view is too low for them: the ends are named at the bar.
+void low_legend(const ViewOptions& options, const ScreenRect& view, WidgetRegistry& widgets) {
+    const float scale = style::scale(), line = style::fonts().small->FontSize;
+    const float height = view.bottom - view.top - 12.0F * scale;
+    if (height < least_low_height * scale) return;
+    const ImVec2 low{view.right - (card_width + 6.0F) * scale, view.top + 6.0F * scale};
+    const ImVec2 high{view.right - 6.0F * scale, low.y + height};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, style::card, 6.0F * scale);
+    const float left = low.x + 8.0F * scale;
+    const std::string heading =
+        elided(fmt::format("{}  {}", tr("Illuminance"), illuminance_unit_name()), (card_width - 16.0F) * scale);
+    list.AddText(style::fonts().small, line, {left, low.y + 5.0F * scale}, style::quiet_text, heading.c_str());
+    const ImVec2 bar_low{left + 2.0F * scale, low.y + 1.5F * line + 10.0F * scale};
+    const ImVec2 bar_high{bar_low.x + bar_width * scale, high.y - 0.5F * line - 6.0F * scale};
+    draw_bar(list, options, bar_low, bar_high);
+    draw_ticks(list, options, bar_low, bar_high);
+    widgets.note("legend", {low.x, low.y, high.x, high.y});
+}
+
 }  // namespace
 
 float legend_margin() { return (card_width + 24.0F) * style::scale(); }
@@ -109,7 +131,7 @@ void legend(ViewState& state, bool of_project, const ScreenRect& view, WidgetReg
     const float field = ImGui::GetFrameHeight();
     const float title = style::fonts().small->FontSize + 6.0F * scale;
     const float height = std::min(greatest_height * scale, view.bottom - view.top - 24.0F * scale);
-    if (height < 190.0F * scale) return;
+    if (height < 190.0F * scale) return low_legend(state.options, view, widgets);
     const ImVec2 card_low{view.right - (card_width + 12.0F) * scale, view.top + 12.0F * scale};
     const ImVec2 card_high{view.right - 12.0F * scale, card_low.y + height};
     ImDrawList& list = *ImGui::GetWindowDrawList();

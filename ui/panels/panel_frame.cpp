@@ -6,9 +6,17 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 namespace hanei {
+namespace {
+
+constexpr float tight_padding = 4.0F, tight_gap = 2.0F;  // of tabs, at scale 1
+
+enum class Tabs { loose, tight, rolled };
+Tabs tabs = Tabs::loose;  ///< of the open bar
+
+}  // namespace
 
 void begin_panel(const char* name, const ScreenRect& area, bool padded) {
     ImGui::SetNextWindowPos({area.left, area.top});
@@ -43,6 +51,27 @@ void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, flo
     ImGui::SetCursorScreenPos(keep);
 }
 
+bool begin_tabs(const char* name) {
+    const ImGuiStyle& look = ImGui::GetStyle();
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGuiStorage& kept = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(name);
+    tabs = static_cast<Tabs>(kept.GetInt(id));
+    const bool open = ImGui::BeginTabBar(
+        name, ImGuiTabBarFlags_FittingPolicyScroll |
+                  (tabs == Tabs::rolled ? ImGuiTabBarFlags_TabListPopupButton : ImGuiTabBarFlags_None));
+    if (!open) return false;
+    const ImGuiTabBar& bar = *ImGui::GetCurrentContext()->CurrentTabBar;  // its width is that of the last frame
+    const auto count = static_cast<float>(bar.Tabs.Size);
+    const float saved = count * 2.0F * (look.FramePadding.x - tight_padding * style::scale()) +
+                        (count - 1.0F) * (look.ItemInnerSpacing.x - tight_gap * style::scale());
+    const float loose = bar.WidthAllTabsIdeal + (tabs == Tabs::loose ? 0.0F : saved);
+    kept.SetInt(id, static_cast<int>(loose <= room ? Tabs::loose : loose - saved <= room ? Tabs::tight : Tabs::rolled));
+    return true;
+}
+
+void end_tabs() { ImGui::EndTabBar(); }
+
 void begin_wide(const char* name, float least_width) {
     const float least = least_width * style::scale();
     const bool rolls = ImGui::GetContentRegionAvail().x < least;
@@ -73,8 +102,15 @@ void headline(std::string_view text, std::string_view quiet) {
 bool begin_tab(const char* label, WidgetRegistry& widgets, std::size_t count, bool to_front) {
     const std::string shown =
         count == 0 ? fmt::format("{}###{}", tr(label), label) : fmt::format("{}  {}###{}", tr(label), count, label);
+    const ImGuiStyle& look = ImGui::GetStyle();
+    const bool loose = tabs == Tabs::loose;
+    const float padding = loose ? look.FramePadding.x : tight_padding * style::scale();
+    const float gap = loose ? look.ItemInnerSpacing.x : tight_gap * style::scale();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {padding, look.FramePadding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {gap, look.ItemInnerSpacing.y});
     const bool open =
         ImGui::BeginTabItem(shown.c_str(), nullptr, to_front ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
+    ImGui::PopStyleVar(2);
     widgets.note(fmt::format("tab.{}", label));
     return open;
 }

@@ -4,7 +4,6 @@
 #include "ui/panels/widget_registry.h"
 
 #include <cstddef>
-#include <imgui.h>
 #include <string>
 #include <string_view>
 
@@ -23,16 +22,17 @@ void movable_edge(Edge edge, const ScreenRect& area, float& size, float low, flo
 /// A title in strong letters with a quiet word behind it.
 void headline(std::string_view text, std::string_view quiet);
 
-/// Of tab bars: tabs keep their words. Where they have no room side by side the bar is rolled by its
-/// arrows or the wheel, and its list names all of them.
-constexpr int tab_look = ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
+/// A tab bar whose tabs keep their words. They move closer where they have too little room side by side;
+/// where that is not enough the bar is rolled by its arrows, and its list names all of them.
+bool begin_tabs(const char* name);
+void end_tabs();
 
 /// Within a panel: content that needs this width (at scale 1). Where there is less it is rolled sideways.
 void begin_wide(const char* name, float least_width);
 void end_wide();
 
-/// A tab of the open tab bar, noted as "tab.LABEL"; a count above 0 stands behind the label. `to_front`: it
-/// is chosen in this frame.
+/// A tab of the bar opened by begin_tabs(), noted as "tab.LABEL"; a count above 0 stands behind the label. `to_front`:
+/// it is chosen in this frame.
 bool begin_tab(const char* label, WidgetRegistry& widgets, std::size_t count = 0, bool to_front = false);
 
 }  // namespace hanei

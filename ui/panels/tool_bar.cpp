@@ -1,5 +1,6 @@
 #include "ui/panels/tool_bar.h"
 
+#include "ui/panels/form.h"
 #include "ui/panels/icon.h"
 #include "ui/panels/language.h"
 #include "ui/panels/panel_frame.h"
@@ -62,6 +63,21 @@ void separator() {
     ImGui::Dummy({1.0F, gap * scale});
 }
 
+/// How many of them stand in this height; where not all do, one place is kept for a button with the rest.
+std::size_t shown_entries(float height) {
+    const float space = ImGui::GetStyle().ItemSpacing.y, button = ImGui::GetFrameHeight() + space;
+    const auto height_of = [&](std::string_view name) { return name.empty() ? gap * style::scale() + space : button; };
+    float all = 0.0F;
+    for (const std::string_view name : entries) all += height_of(name);
+    if (all - space <= height) return entries.size();
+    float used = button - space;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        used += height_of(entries[k]);
+        if (used > height) return k > 0 && entries[k - 1].empty() ? k - 1 : k;
+    }
+    return entries.size();
+}
+
 }  // namespace
 
 float tool_bar_width() { return ImGui::GetFrameHeight() + 2.0F * std::round(margin * style::scale()); }
@@ -73,8 +89,8 @@ void Workbench::tool_bar(const ScreenRect& area) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {side, side});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, std::round(2.0F * style::scale())});
     begin_panel("##tools", area);
-    for (const std::string_view name : entries) {
-        if (ImGui::GetCursorScreenPos().y + ImGui::GetFrameHeight() > area.bottom - side) break;
+    const std::size_t shown = shown_entries(area.bottom - side - ImGui::GetCursorScreenPos().y);
+    for (const std::string_view name : tool_bar_entries().first(shown)) {
         const Command* const entry = command_named(name);
         if (entry == nullptr) {
             separator();
@@ -87,8 +103,25 @@ void Workbench::tool_bar(const ScreenRect& area) {
             carry_out(entry->id);
         ImGui::EndDisabled();
     }
-    end_panel();
+    if (shown < entries.size()) {
+        if (ImGui::Button("…", {ImGui::GetFrameHeight(), 0.0F})) ImGui::OpenPopup("more_tools");
+        widgets_.note("tool.more");
+        tooltip("The tools that have no room here");
+    }
     ImGui::PopStyleVar(2);
+    if (ImGui::BeginPopup("more_tools")) {
+        for (const std::string_view name : tool_bar_entries().subspan(shown)) {
+            const Command* const entry = command_named(name);
+            if (entry == nullptr) continue;
+            const std::string label = fmt::format("{}###{}", tr(entry->label), entry->name);
+            if (ImGui::MenuItem(label.c_str(), to_text(entry->chord).c_str(), is_on(entry->id), can(entry->id)))
+                carry_out(entry->id);
+            widgets_.note("tool." + std::string(name));
+            tooltip(std::string(entry->help));
+        }
+        ImGui::EndPopup();
+    }
+    end_panel();
 }
 
 }  // namespace hanei

@@ -19,7 +19,7 @@ void Workbench::bottom(const ScreenRect& area) {
     movable_edge(Edge::top, area, preferences_.bottom_height, 90.0F, 460.0F);
     const SolutionSnapshot solution = study_.answer();  // results on the way have no values yet
     const bool measured = !how_.repeatable;
-    if (ImGui::BeginTabBar("tables", tab_look)) {
+    if (begin_tabs("tables")) {
         if (begin_tab("Results", widgets_)) {
             begin_wide("results", table_width);
             const bool any = solution && (!solution->grids.empty() || !solution->points.empty());
@@ -54,7 +54,7 @@ void Workbench::bottom(const ScreenRect& area) {
             end_wide();
             ImGui::EndTabItem();
         }
-        ImGui::EndTabBar();
+        end_tabs();
     }
     end_panel();
 }

@@ -13,7 +13,7 @@ void Workbench::left(const WindowLayout& layout) {
         movable_edge(Edge::left, area, preferences_.right_width, 220.0F, 520.0F);
     else
         movable_edge(Edge::right, area, preferences_.left_width, 140.0F, 420.0F);
-    if (ImGui::BeginTabBar("lists", tab_look)) {
+    if (begin_tabs("lists")) {
         if (begin_tab("Objects", widgets_)) {
             objects_tab();
             ImGui::EndTabItem();
@@ -24,7 +24,7 @@ void Workbench::left(const WindowLayout& layout) {
             ImGui::EndChild();
             ImGui::EndTabItem();
         }
-        ImGui::EndTabBar();
+        end_tabs();
     }
     end_panel();
 }

@@ -81,7 +81,7 @@ void Workbench::photometry_tab() {
 void Workbench::right(const ScreenRect& area) {
     begin_panel("##right", area);
     movable_edge(Edge::left, area, preferences_.right_width, 220.0F, 520.0F);
-    if (ImGui::BeginTabBar("sides", tab_look)) {
+    if (begin_tabs("sides")) {
         if (begin_tab("Properties", widgets_)) {
             ImGui::BeginChild("fields");
             properties_tab();
@@ -112,7 +112,7 @@ void Workbench::right(const ScreenRect& area) {
             ImGui::EndChild();
             ImGui::EndTabItem();
         }
-        ImGui::EndTabBar();
+        end_tabs();
     }
     end_panel();
 }
