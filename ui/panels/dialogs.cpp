@@ -116,7 +116,7 @@ void Dialogs::choice(WidgetRegistry& widgets) {
 
 void Dialogs::keys(WidgetRegistry& widgets) {
     if (!begin("Keys and mouse", 960.0F)) return;
-    const float frame = 2.0F * ImGui::GetStyle().WindowPadding.y + 3.0F * ImGui::GetFrameHeightWithSpacing();
+    const float frame = 2.0F * ImGui::GetStyle().WindowPadding.y + 4.0F * ImGui::GetFrameHeightWithSpacing();
     draw_keyboard_map(ImGui::GetIO().DisplaySize.y - 60.0F - frame, widgets);
     buttons_from_right(1);
     if (dialog_button("Close", "keys.close", widgets) || key_pressed(ImGuiKey_Escape)) close();

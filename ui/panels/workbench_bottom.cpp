@@ -21,8 +21,8 @@ void Workbench::bottom(const ScreenRect& area) {
     const bool measured = !how_.repeatable;
     if (begin_tabs("tables")) {
         if (begin_tab("Results", widgets_)) {
-            begin_wide("results", table_width);
             const bool any = solution && (!solution->grids.empty() || !solution->points.empty());
+            begin_wide("results", any ? table_width : 0.0F);
             if (!solution)
                 quiet_words(tr("The first values are being computed."));
             else if (!any)
@@ -34,13 +34,13 @@ void Workbench::bottom(const ScreenRect& area) {
         }
         readings_tabs();
         if (begin_tab("Effects", widgets_)) {
-            begin_wide("effects", table_width);
+            begin_wide("effects", solution ? table_width : 0.0F);
             if (solution) effects_table(solution->plan, measured);
             end_wide();
             ImGui::EndTabItem();
         }
         if (begin_tab("Energy", widgets_)) {
-            begin_wide("energy", facts_width);
+            begin_wide("energy", solution ? facts_width : 0.0F);
             if (solution) energy_table(*solution, measured);
             end_wide();
             ImGui::EndTabItem();
