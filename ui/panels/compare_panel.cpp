@@ -118,9 +118,10 @@ void grids_table(const Solution& first, const Solution& second, CompareWish& wis
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushID(static_cast<int>(row.grid.value));
-        if (ImGui::Selectable(row.name.empty() ? "–" : row.name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns))
-            wish.chosen = row.grid;
+        if (ImGui::Selectable("###row", false, ImGuiSelectableFlags_SpanAllColumns)) wish.chosen = row.grid;
         widgets.note("compared." + row.name);
+        ImGui::SameLine(0.0F, 0.0F);
+        elided_text(row.name.empty() ? "–" : row.name, 0.0F, Elide::middle);
         ImGui::PopID();
         const bool both = row.first && row.second;
         right_cell(row.first ? illuminance_figure(row.first->mean) : "–");

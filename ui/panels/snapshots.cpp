@@ -80,7 +80,7 @@ void Snapshots::draw(const PaneSight& sight, WidgetRegistry& widgets) {
     const ImVec2 high{at.x + size.x + 9.0F * scale, at.y + size.y + 5.0F * scale};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, style::accent, 5.0F * scale);
-    list.AddText(at, IM_COL32(24, 26, 30, 255), text.c_str());
+    list.AddText(at, style::ground, text.c_str());
     widgets.note("snapshot.shown", {low.x, low.y, high.x, high.y});
 }
 

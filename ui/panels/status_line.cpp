@@ -80,7 +80,8 @@ void Workbench::status_line(const ScreenRect& area) {
     ImGui::PopStyleVar();
     const Status status = status_of(study_, !how_.repeatable, !selection_.primary());
     icon_item(status.icon, status.ink);
-    std::string right = viewport_.tool() != nullptr ? viewport_.tool()->hint() : message_;
+    std::string right =
+        viewport_.tool() != nullptr ? viewport_.tool()->hint() : std::string(tr(std::string_view(message_)));
     const Scene& scene = *document_.shown();
     if (const auto place = middle_of(scene, selection_.ids())) {
         const std::string what = selection_.ids().size() > 1 ? phrase(words_for(scene, selection_.ids()))

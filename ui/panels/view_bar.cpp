@@ -178,7 +178,7 @@ std::optional<ViewEdit> views_menu(ViewState& state, const Scene& scene, WidgetR
 /// Of the whole bar with its words, the parts of the light side by side or as a list.
 float width_of_words(bool with_list) {
     const float gap = 2.0F * style::scale();
-    float width = 3.0F * 12.0F * style::scale();       // between groups
+    float width = 3.0F * 12.0F * style::scale();      // between groups
     width += 2.0F * (ImGui::GetFrameHeight() + gap);  // tools
     if (with_list)
         width += width_of_list() + gap;
@@ -191,12 +191,14 @@ float width_of_words(bool with_list) {
 }
 
 int rows = 1;  ///< of the frame before
+float first_row = 0.0F;
 
 }  // namespace
 
 std::optional<ViewEdit> view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution,
                                  WidgetRegistry& widgets) {
-    const float room = ImGui::GetContentRegionAvail().x, top = ImGui::GetCursorPosY();
+    const float room = ImGui::GetContentRegionAvail().x;
+    first_row = ImGui::GetCursorPosY();
     fit = room >= width_of_words(false) ? Fit::words : room >= width_of_words(true) ? Fit::list : Fit::drawings;
     ImGui::PushStyleColor(ImGuiCol_Button, style::none);
     parts(state, scene, widgets);
@@ -218,9 +220,14 @@ std::optional<ViewEdit> view_bar(ViewState& state, const Scene& scene, const Sol
     ImGui::SameLine(0.0F, 2.0F * style::scale());
     std::optional<ViewEdit> edit = views_menu(state, scene, widgets);
     ImGui::PopStyleColor();
-    rows =
-        std::max(1, static_cast<int>(std::lround((ImGui::GetCursorPosY() - top) / ImGui::GetFrameHeightWithSpacing())));
     return edit;
+}
+
+void flow_in_view_bar(float width) { flow(width); }
+
+void end_view_bar() {
+    const float height = ImGui::GetCursorPosY() - first_row;
+    rows = std::max(1, static_cast<int>(std::lround(height / ImGui::GetFrameHeightWithSpacing())));
 }
 
 float view_bar_height() {

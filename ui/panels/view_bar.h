@@ -11,6 +11,11 @@ namespace hanei {
 std::optional<ViewEdit> view_bar(ViewState& state, const Scene& scene, const SolutionSnapshot& solution,
                                  WidgetRegistry& widgets);
 
+/// Before an item of this width that stands in the bar behind those of view_bar(): goes to the next row
+/// when it has no room. end_view_bar() comes after the last one.
+void flow_in_view_bar(float width);
+void end_view_bar();
+
 /// With its margins: of one row, or of more where the last frame needed them.
 float view_bar_height();
 

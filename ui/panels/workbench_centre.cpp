@@ -22,10 +22,12 @@ void Workbench::view_bar_tools() {
     for (const CommandId id : {CommandId::walk_through, CommandId::measure_distance}) {
         const Command& entry = command(id);
         ImGui::SameLine(0.0F, 2.0F * style::scale());
+        flow_in_view_bar(ImGui::GetFrameHeight());
         const std::string help = fmt::format("{}  {}\n{}", tr(entry.label), to_text(entry.chord), tr(entry.help));
         const std::string name = fmt::format("bar.{}", entry.name);
         if (icon_button(name.c_str(), icon_of(entry.name), help, is_on(id), widgets_)) carry_out(id);
     }
+    end_view_bar();
 }
 
 void Workbench::centre(const ScreenRect& area, const ViewPainter& paint) {

@@ -57,6 +57,15 @@ TEST(JapaneseTable, has_no_text_twice_and_none_without_translation) {
     }
 }
 
+TEST(JapaneseTable, numbers_all_placeholders_of_a_sentence_or_none) {
+    static const std::regex numbered(R"(\{\d)"), unnumbered(R"(\{[:}])");
+    for (const Translation& entry : japanese()) {
+        const std::string text(entry.other);
+        EXPECT_FALSE(std::regex_search(text, numbered) && std::regex_search(text, unnumbered))
+            << text << " would be refused when its figures are filled in";
+    }
+}
+
 TEST(JapaneseTable, keeps_the_placeholders_of_every_sentence) {
     for (const Translation& entry : japanese())
         EXPECT_EQ(placeholders(entry.english), placeholders(entry.other)) << entry.english;
