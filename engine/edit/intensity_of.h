@@ -17,7 +17,7 @@ public:
     double flux() const { return flux_; }  ///< lm
 
 private:
-    const Luminaire& luminaire_;
+    Luminaire luminaire_;
     const Photometry* photometry_ = nullptr;
     double flux_ = 0.0;
     double scale_ = 1.0;  ///< of the file's candela

@@ -22,6 +22,9 @@ std::string name_of(const Look& look) {
                        look.language == Language::japanese ? "ja" : "en");
 }
 
+/// What the test framework calls a test by.
+void PrintTo(const Look& look, std::ostream* out) { *out << name_of(look); }
+
 using Rects = std::map<std::string, ScreenRect>;
 
 /// The desk at a look, used by names.

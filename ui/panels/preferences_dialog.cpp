@@ -67,12 +67,18 @@ void keeping(Preferences& preferences, Form& form) {
 void PreferencesDialog::draw(Preferences& preferences, Form& form) {
     if (!open_) return;
     const std::string label = fmt::format("{}###preferences", tr("Preferences"));
-    if (!begin_dialog(label, 440.0F, opening_, open_)) return;
-    form.begin("preferences");
+    if (!begin_dialog(label, 720.0F, opening_, open_)) return;
+    ImGui::BeginTable("sides", 2, ImGuiTableFlags_SizingStretchSame);
+    ImGui::TableNextColumn();
+    form.begin("look");
     look(preferences, form);
+    form.end();
+    ImGui::TableNextColumn();
+    form.begin("units and files");
     units(preferences, form);
     keeping(preferences, form);
     form.end();
+    ImGui::EndTable();
     buttons_from_right(2);
     if (dialog_button("Defaults", "preferences.defaults", form.widgets())) {
         Preferences usual;
