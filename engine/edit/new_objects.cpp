@@ -1,5 +1,6 @@
 #include "engine/edit/edit.h"
 #include "engine/edit/hanging.h"
+#include "engine/scene/grid_spacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +113,10 @@ Added with_grid(Scene scene) {
     grid.corner = {middle.low.x + border, middle.low.y + border, middle.floor + desk_height};
     grid.along = {middle.high.x - middle.low.x - 2.0 * border, 0.0, 0.0};
     grid.across = {0.0, middle.high.y - middle.low.y - 2.0 * border, 0.0};
-    grid.spacing = 0.5;
+    constexpr double usual = 0.5;
+    grid.spacing = usual;
+    constexpr double many = 1e4;
+    if (grid_points(grid) > many) grid.spacing = std::max(usual, standard_spacing(grid));
     const ObjectId id = grid.id;
     scene.grids.push_back(std::move(grid));
     return {std::move(scene), id};

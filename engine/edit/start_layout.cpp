@@ -3,6 +3,7 @@
 #include "engine/edit/arrangements.h"
 #include "engine/edit/hanging.h"
 #include "engine/edit/luminaire_edits.h"
+#include "engine/scene/grid_spacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,7 @@ void add_working_plane(Scene& scene, const LumenWish& wish) {
     grid.corner = Vec3(plan.low + Vec2(border), height);
     grid.along = {size.x - 2.0 * border, 0.0, 0.0};
     grid.across = {0.0, size.y - 2.0 * border, 0.0};
-    // EN 12464-1: p = 0.2 * 5^(log10 d) for the longer side d
-    grid.spacing = 0.2 * std::pow(5.0, std::log10(std::max(0.1, std::max(grid.along.x, grid.across.y))));
+    grid.spacing = standard_spacing(grid);
     scene.grids.push_back(std::move(grid));
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/tiles.h"
 #include "engine/geometry/polygon.h"
+#include "engine/scene/grid_spacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +45,7 @@ CostModel cost_model(const Scene& scene, const Settings& settings, std::span<con
     model.receivers = model.patches + static_cast<double>(scene.points.size());
     for (const CalculationGrid& grid : scene.grids) {
         if (!(grid.spacing > 0.0)) continue;
-        model.receivers += std::max(1.0, std::round(glm::length(grid.along) / grid.spacing)) *
-                           std::max(1.0, std::round(glm::length(grid.across) / grid.spacing));
+        model.receivers += grid_points(grid);
     }
     model.luminaires = static_cast<double>(scene.luminaires.size());
     model.obstacles = static_cast<double>(solids_of(scene).size() + scene.surfaces.size());

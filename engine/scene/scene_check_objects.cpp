@@ -1,4 +1,5 @@
 #include "engine/geometry/polygon.h"
+#include "engine/scene/grid_spacing.h"
 #include "engine/scene/scene_findings.h"
 
 #include <cmath>
@@ -20,8 +21,6 @@ void check_part(SceneChecks& checks, ObjectFindings& object, const Part& part, c
         check_solid(object, field + ".faces", solid->vertices, solid->faces);
 }
 
-constexpr double most_points = 1e6;
-
 void check_grid(SceneChecks& checks, const CalculationGrid& grid, std::size_t index) {
     ObjectFindings object = checks.about("grids", index, "grid", grid.name, grid.id);
     checks.check_id(object, grid.id);
@@ -34,9 +33,8 @@ void check_grid(SceneChecks& checks, const CalculationGrid& grid, std::size_t in
         return object.error("across",
                             "the grid has no area; its two sides must have a length and different directions");
     if (!spaced) return;
-    const double points = std::max(1.0, std::round(glm::length(grid.along) / grid.spacing)) *
-                          std::max(1.0, std::round(glm::length(grid.across) / grid.spacing));
-    if (points > most_points)
+    const double points = grid_points(grid);
+    if (points > most_grid_points)
         object.error("spacing", "a spacing of " + figure(grid.spacing) + " m makes " + figure(points) +
                                     " points, at most a million can be computed; widen it");
 }

@@ -1,4 +1,5 @@
 #include "engine/edit/edit.h"
+#include "engine/scene/grid_spacing.h"
 #include "ui/panels/edited_object.h"
 #include "ui/panels/properties.h"
 #include "ui/panels/property_rows.h"
@@ -25,7 +26,8 @@ std::optional<Scene> surface_panel(const Scene& scene, ObjectId id, Form& form) 
 std::optional<Scene> grid_panel(const Scene& scene, ObjectId id, Form& form) {
     return edited(scene, &Scene::grids, id, [&](CalculationGrid& grid) {
         bool changed = form.text("grid.name", "Name", "What this grid is called in tables", grid.name);
-        changed |= form.number({"grid.spacing", "Spacing", "m", "Wished distance between points", 0.01, 100.0, 0.01, 3},
+        changed |= form.number({"grid.spacing", "Spacing", "m", "Wished distance between points",
+                                std::max(0.01, least_spacing(grid)), 1000.0, 0.01, 3},
                                grid.spacing);
         form.heading("First corner");
         changed |= place_rows("grid", grid.corner, form);
@@ -33,6 +35,7 @@ std::optional<Scene> grid_panel(const Scene& scene, ObjectId id, Form& form) {
             double length = glm::length(edge);
             if (!form.number({name, label, "m", "Side of the grid", 0.01, 1e4, 0.01, 3}, length)) return;
             edge *= length / glm::length(edge);
+            grid.spacing = std::max(grid.spacing, least_spacing(grid));
             changed = true;
         };
         form.heading("Size");

@@ -74,7 +74,7 @@ void PreferencesDialog::draw(Preferences& preferences, Form& form) {
     look(preferences, form);
     form.end();
     ImGui::TableNextColumn();
-    form.begin("units and files");
+    form.begin("units");
     units(preferences, form);
     keeping(preferences, form);
     form.end();

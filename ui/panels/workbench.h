@@ -86,7 +86,8 @@ public:
     const Preferences& preferences() const { return preferences_; }
     const Messages& messages() const { return messages_; }
     const RecoveryDialog& recovery() const { return recovery_; }
-    bool is_busy() const;  ///< something goes on whose progress is shown
+    bool is_busy() const;                                       ///< something goes on whose progress is shown
+    bool reads_or_writes() const { return file_work_.busy(); }  ///< a file, beside the frames
     const StartPage& start_page() const { return start_page_; }
     const std::string& message() const { return message_; }
     bool is_snapping() const { return snap_.on; }
