@@ -224,8 +224,10 @@ void add_check(CLI::App& app, Arguments& arguments) {
 
 void add_validate(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("validate", "Compute reference cases and compare with what is expected");
-    command->add_option("PATH", arguments.validate.paths, "Case files, or folders that are searched downwards")
-        ->required();
+    auto* const paths = command->add_option("PATH", arguments.validate.paths,
+                                            "Case files, or folders that are searched downwards; none: the cases that "
+                                            "come with the program, as a table that is signed");
+    command->add_option("--csv", arguments.validate.csv, "Write that table here")->excludes(paths);
     command->add_option("--json", arguments.validate.json, "Write every point here");
     arguments.common.add_to(*command);
 }

@@ -73,9 +73,10 @@ int describe_command(const std::filesystem::path& picture);
 int check_command(const std::filesystem::path& project);
 
 struct ValidateRequest {
-    std::vector<std::filesystem::path> paths;
+    std::vector<std::filesystem::path> paths;  ///< none: the cases that come with the program
     std::optional<std::filesystem::path> json;
     SettingsChange change;
+    std::optional<std::filesystem::path> csv{};  ///< the signed-off table; of the cases that come with the program
 };
 int validate_command(const ValidateRequest& request);
 

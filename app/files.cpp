@@ -21,8 +21,7 @@ void write_text(const std::filesystem::path& file, std::string_view text) {
     if (const auto reason = write_whole_file(file, text)) throw std::runtime_error(file.string() + ": " + *reason);
 }
 
-std::filesystem::path start_room() {
-    const std::filesystem::path name = "assets/rooms/computer-room-panels.hanei";
+std::filesystem::path own_file(const std::filesystem::path& name) {
     std::error_code failure;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", failure);
     for (auto folder = program.parent_path(); !failure && folder.has_relative_path(); folder = folder.parent_path()) {
@@ -31,5 +30,7 @@ std::filesystem::path start_room() {
     }
     return name;
 }
+
+std::filesystem::path start_room() { return own_file("assets/rooms/computer-room-panels.hanei"); }
 
 }  // namespace hanei

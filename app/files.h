@@ -18,6 +18,9 @@ std::optional<Project> open_project(const std::filesystem::path& file);
 /// Written beside the target and renamed. Throws std::runtime_error naming the file when the disk refuses.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
+/// Something of the program's own, such as "assets/reference": beside the program, in the source tree, or installed.
+std::filesystem::path own_file(const std::filesystem::path& name);
+
 /// The room the program opens with when none is named: beside the program, in the source tree, or installed.
 std::filesystem::path start_room();
 

@@ -1,86 +1,16 @@
+#include "app/built_in_cases.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
-#include "app/reference_scene.h"
-#include "app/verdict.h"
-#include "engine/scene/faces.h"
-#include "engine/study/study.h"
+#include "app/reference_run.h"
 
-#include <chrono>
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace hanei {
 
 namespace {
-
-// Keep a case within some seconds.
-constexpr double patches_aimed_at = 4000.0;         // one value each
-constexpr double linear_patches_aimed_at = 250.0;   // four each, and cut finer where the light asks for it
-constexpr std::size_t most_faces_for_linear = 400;  // each is a patch at least
-
-/// The best method for the scene, and the patch width that cuts its faces into about as many as fit it.
-void make_suitable(Settings& settings, const Scene& scene, const SettingsChange& change) {
-    settings.method = faces_of(scene).size() <= most_faces_for_linear ? Method::linear : Method::patch;
-    settings.accuracy = 1e-7;
-    settings.bounces = 100'000;
-    change(settings);
-    const bool linear = settings.method == Method::linear;
-    settings.max_patch = suitable_patch(scene, linear ? linear_patches_aimed_at : patches_aimed_at);
-    change(settings);
-}
-
-double mean_of_face(const Solution& solution, ObjectId surface) {
-    const auto found = solution.face_means.find(SurfaceRef{surface, 0});
-    return found == solution.face_means.end() ? NAN : found->second.total().value;
-}
-
-std::vector<Judged> judged_points(const ReferenceCase& reference, const Solution& solution) {
-    std::vector<Judged> judged;
-    for (std::size_t k = 0; k < reference.points.size(); ++k) {
-        const ReferencePoint& point = reference.points[k];
-        const PointValue& value = solution.points[k].value;
-        judged.push_back(
-            judge(point.id, point.set, point.expected, value.total().value, point.uncertainty, point.top, point.pass));
-        judged.back().error_bar = value.error.total();
-    }
-    for (const ReferenceMean& mean : reference.means) {
-        const double got = mean.surface ? mean_of_face(solution, mean.surface) : mean_illuminance(solution);
-        judged.push_back(judge("mean of " + mean.name, "", mean.expected, got, mean.uncertainty, mean.top, mean.pass));
-    }
-    return judged;
-}
-
-std::vector<Judged> judged_form_factors(const ReferenceCase& reference) {
-    std::vector<Judged> judged;
-    for (const ReferenceFormFactor& pair : reference.form_factors) {
-        const auto add = [&](const std::string& id, const Region& from, const Region& to, double expected) {
-            const double got = form_factor_between(reference.scene, from, to);
-            judged.push_back(judge(id, "", expected, got, pair.uncertainty, pair.top, pair.pass));
-        };
-        add(pair.id, pair.from, pair.to, pair.expected);
-        if (pair.reverse) add(pair.id + " reverse", pair.to, pair.from, *pair.reverse);
-    }
-    return judged;
-}
-
-CaseVerdict run_case(const ReferenceCase& reference, const ValidateRequest& request) {
-    CaseVerdict verdict{reference.id, reference.category, reference.unsupported, {}, 0.0, 0};
-    if (!reference.unsupported.empty()) return verdict;
-    Settings settings;
-    make_suitable(settings, reference.scene, request.change);
-    const auto begin = std::chrono::steady_clock::now();
-    if (!reference.points.empty() || !reference.means.empty()) {
-        Study study;
-        const auto solution = study.run(scene_with_points(reference), settings, StudyRequest{}, Work{});
-        verdict.judged = judged_points(reference, *solution);
-        verdict.patches = solution->mesh->patches.size();
-    }
-    for (Judged& pair : judged_form_factors(reference)) verdict.judged.push_back(std::move(pair));
-    verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return verdict;
-}
 
 nlohmann::ordered_json to_json(const CaseVerdict& verdict) {
     nlohmann::ordered_json json{{"case", verdict.id},
@@ -104,9 +34,9 @@ nlohmann::ordered_json to_json(const CaseVerdict& verdict) {
     return json;
 }
 
-}  // namespace
+bool good(const CaseVerdict& verdict) { return verdict.grade() == Grade::top || verdict.grade() == Grade::pass; }
 
-int validate_command(const ValidateRequest& request) {
+int validate_paths(const ValidateRequest& request) {
     std::vector<CaseVerdict> verdicts;
     bool readable = true;
     nlohmann::ordered_json report = nlohmann::ordered_json::array();
@@ -121,7 +51,7 @@ int validate_command(const ValidateRequest& request) {
             print_findings(read.findings);
             readable = readable && !has_errors(read.findings);
             for (const ReferenceCase& reference : read.cases) {
-                verdicts.push_back(run_case(reference, request));
+                verdicts.push_back(*run_reference(reference, request.change, Work{}));
                 std::fputs(line_of(verdicts.back()).c_str(), stdout);
                 std::fflush(stdout);
                 if (request.json) report.push_back(to_json(verdicts.back()));
@@ -132,9 +62,31 @@ int validate_command(const ValidateRequest& request) {
     std::fputs(error_bars_text(verdicts).c_str(), stdout);
     if (request.json) write_text(*request.json, report.dump(1) + '\n');
     if (!readable) return exit_bad_input;
-    for (const CaseVerdict& verdict : verdicts)
-        if (verdict.grade() != Grade::top && verdict.grade() != Grade::pass) return exit_answer_is_no;
-    return exit_done;
+    return std::all_of(verdicts.begin(), verdicts.end(), good) ? exit_done : exit_answer_is_no;
+}
+
+int validate_built_in(const ValidateRequest& request) {
+    const BuiltInCases cases = built_in_cases();
+    print_findings(cases.findings);
+    if (cases.cases.empty() || has_errors(cases.findings)) return exit_bad_input;
+    nlohmann::ordered_json report = nlohmann::ordered_json::array();
+    std::fputs(validation_heading().c_str(), stdout);
+    const auto validation =
+        validate(cases, request.change, Work{}, [&](const CaseVerdict& verdict, const ValidationRow& row) {
+            std::fputs(line_of(row).c_str(), stdout);
+            std::fflush(stdout);
+            if (request.json) report.push_back(to_json(verdict));
+        });
+    std::fputs(validation_notes(*validation).c_str(), stdout);
+    if (request.json) write_text(*request.json, report.dump(1) + '\n');
+    if (request.csv) write_text(*request.csv, validation_csv(*validation));
+    return validation->holds() ? exit_done : exit_answer_is_no;
+}
+
+}  // namespace
+
+int validate_command(const ValidateRequest& request) {
+    return request.paths.empty() ? validate_built_in(request) : validate_paths(request);
 }
 
 }  // namespace hanei

@@ -36,20 +36,6 @@ int count_grade(const CaseVerdict& verdict, Grade grade) {
 
 }  // namespace
 
-std::string_view name_of(Grade grade) {
-    switch (grade) {
-        case Grade::top:
-            return "top";
-        case Grade::pass:
-            return "pass";
-        case Grade::fail:
-            return "fail";
-        case Grade::unsupported:
-            return "unsupported";
-    }
-    return "";
-}
-
 double Judged::relative_error() const {
     const double error = std::abs(got - expected);
     if (error == 0.0) return 0.0;
@@ -102,6 +88,30 @@ std::string line_of(const CaseVerdict& verdict) {
                             set_errors.size(), 100 * spread.mean, 100 * spread.p95, 100 * spread.worst);
     }
     return text;
+}
+
+ValidationRow row_of(const CaseVerdict& verdict, const std::string& proves, const std::string& source) {
+    ValidationRow row{verdict.id, proves, source, verdict.judged.size()};
+    row.seconds = verdict.seconds;
+    row.grade = verdict.grade();
+    row.fault = verdict.unsupported;
+    double greatest = 0.0, most_used = -1.0;
+    for (const Judged& judged : verdict.judged) greatest = std::max(greatest, std::abs(judged.expected));
+    for (const Judged& judged : verdict.judged) {
+        const double error = std::abs(judged.got - judged.expected);
+        const double whole = std::max(std::abs(judged.expected), greatest / 1000.0);
+        const double share = whole > 0.0 ? error / whole : error;
+        row.mean += share / static_cast<double>(row.points);
+        const double used = std::isnan(error) ? HUGE_VAL : error == 0.0 ? 0.0 : error / judged.allowed_pass;
+        if (used <= most_used) continue;
+        most_used = used;
+        row.worst = share;
+        row.allowed = whole > 0.0 ? judged.allowed_pass / whole : judged.allowed_pass;
+        if (judged.grade() == Grade::fail)
+            row.fault = fmt::format("worst: {}: expected {:.9g}, got {:.9g}, allowed +- {:.2g}", judged.id,
+                                    judged.expected, judged.got, judged.allowed_pass);
+    }
+    return row;
 }
 
 std::string error_bars_text(const std::vector<CaseVerdict>& verdicts) {

@@ -2,15 +2,13 @@
 #pragma once
 
 #include "engine/project/reference_case.h"
+#include "engine/report/validation_report.h"
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace hanei {
-
-enum class Grade { top, pass, fail, unsupported };
-std::string_view name_of(Grade grade);
 
 /// One expected value and what came out, in lx (form factors: of 1).
 struct Judged {
@@ -34,12 +32,16 @@ struct CaseVerdict {
     std::vector<Judged> judged;
     double seconds = 0.0;
     std::size_t patches = 0;
-    Grade grade() const;  ///< the worst of its points
+    std::string method = {};  ///< of interreflection; empty where none was asked for
+    Grade grade() const;      ///< the worst of its points
 };
 
 /// Case, points, worst and mean error, time, grade; a line more for every set of a furnished scene
 /// (mean, 95th percentile, greatest relative error).
 std::string line_of(const CaseVerdict& verdict);
+
+/// The case as a line of the signed-off table.
+ValidationRow row_of(const CaseVerdict& verdict, const std::string& proves, const std::string& source);
 
 /// How often what we say of our errors holds: values within their error bar (and the uncertainty of what
 /// is expected), and the median of error bar over error where the error is more than that uncertainty.

@@ -3,6 +3,7 @@
 
 #include "app/exit_code.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -174,11 +175,31 @@ TEST_F(CommandLine, study_writes_table_and_plot) {
 }
 
 TEST_F(CommandLine, the_reference_cases_kept_with_the_project_pass) {
-    EXPECT_EQ(run({"validate", HANEI_SOURCE "/tests/golden/reference"}), exit_done) << out_ << err_;
+    EXPECT_EQ(run({"validate", HANEI_SOURCE "/assets/reference"}), exit_done) << out_ << err_;
+    EXPECT_NE(out_.find("b. measured photometry"), std::string::npos);
+}
+
+TEST_F(CommandLine, validate_without_a_path_signs_the_table_of_its_own_cases) {
+    const auto json = scratch("points.json"), csv = scratch("table.csv");
+    EXPECT_EQ(run({"validate", "--threads", "2", "--json", json, "--csv", csv}), exit_done) << out_ << err_;
+    for (const char* expected :
+         {"expected by", "Penumbra of a box", "CIE 171, 5.8", "own reference", "Furnished computer room",
+          "Hanei " HANEI_VERSION ", 2023-11-14, method linear, 2 threads: all 48 cases hold (564 points"})
+        EXPECT_NE(out_.find(expected), std::string::npos) << expected << '\n' << out_;
+    EXPECT_NE(content(json).find("\"allowed_pass\""), std::string::npos);
+    const std::string table = content(csv);
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 49) << table;
+}
+
+TEST_F(CommandLine, validate_without_a_path_says_no_when_the_method_is_too_coarse) {
+    EXPECT_EQ(run({"validate", "--method", "paper", "--max-patch", "1"}), exit_answer_is_no) << out_ << err_;
+    EXPECT_NE(out_.find("method paper"), std::string::npos) << out_;
+    EXPECT_NE(out_.find(" of 48 cases fail"), std::string::npos) << out_;
+    EXPECT_NE(out_.find("    worst: "), std::string::npos) << out_;
 }
 
 TEST_F(CommandLine, validate_says_no_when_a_case_fails) {
-    const std::string good = content(HANEI_SOURCE "/tests/golden/reference/P-A1.json");
+    const std::string good = content(HANEI_SOURCE "/assets/reference/P-A1.json");
     const auto bad = scratch("wrong.json");
     std::string text = good;
     const std::string key = "\"expected_lx\":";
