@@ -118,6 +118,11 @@ void add_solve(CLI::App& app, Arguments& arguments) {
     command->add_option("--csv", arguments.solve.csv, "Write every value with its error bar here");
     command->add_option("--json", arguments.solve.json, "The same as JSON, with plan and flux");
     add_light_scene(*command, arguments.solve.light_scene);
+    auto* const compare = command->add_option(
+        "--compare", arguments.solve.compared_with,
+        "Values of a meter or another program (CSV) to compare with: columns lux, and set and index, or x, y, z");
+    command->add_option("--differences", arguments.solve.differences, "Write every compared pair here (CSV)")
+        ->needs(compare);
     arguments.common.add_to(*command);
 }
 

@@ -22,6 +22,7 @@ struct SolveRequest {
     bool no_ceiling = false;
     std::string cut{};          ///< "z=1.2": what lies above is left out; "-z=1.2": what lies below; empty: as the view
     std::string light_scene{};  ///< recalled first, by name; empty: the dimmers as they are
+    std::optional<std::filesystem::path> compared_with{}, differences{};  ///< values of others; where pairs go (CSV)
 };
 int solve_command(const SolveRequest& request);
 

@@ -3,16 +3,42 @@
 #include "app/files.h"
 #include "app/light_commands.h"
 #include "app/photometry_command.h"
+#include "engine/project/measured_file.h"
+#include "engine/report/measured_report.h"
 #include "engine/report/report.h"
 #include "engine/report/report_json.h"
 #include "engine/scene/scene_check.h"
 #include "engine/study/study.h"
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace hanei {
 
+namespace {
+
+/// Read first: a study is not waited for to learn that the table cannot be used.
+bool read_others(const SolveRequest& request, MeasuredValues& values) {
+    if (!request.compared_with) return true;
+    MeasuredRead read = read_measured(*request.compared_with);
+    print_findings(read.findings);
+    if (!read.values) return false;
+    values = std::move(*read.values);
+    return true;
+}
+
+/// What is written of the solution, with the comparison in it.
+std::string json_with(const std::string& solution, const MeasuredComparison& comparison) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(solution);
+    json["compared"] = nlohmann::ordered_json::parse(measured_json(comparison));
+    return json.dump(2) + '\n';
+}
+
+}  // namespace
+
 int solve_command(const SolveRequest& request) {
+    MeasuredValues others;
+    if (!read_others(request, others)) return exit_bad_input;
     auto project = open_project(request.project);
     if (!project) return exit_bad_input;
     if (!recall_light_scene(project->scene, request.light_scene, request.project)) return exit_bad_input;
@@ -22,7 +48,16 @@ int solve_command(const SolveRequest& request) {
     const SolutionSnapshot solution = study.run(scene, project->settings, StudyRequest{.energy = true}, Work{});
     std::fputs(summary_text(*solution).c_str(), stdout);
     if (request.csv) write_text(*request.csv, values_csv(*solution));
-    if (request.json) write_text(*request.json, values_json(*solution));
+    MeasuredComparison comparison;
+    if (request.compared_with) {
+        comparison = compared_with(*solution, others);
+        print_findings(comparison.faults);
+        if (!comparison.faults.empty()) return exit_bad_input;
+        std::printf("\n%s", measured_text(comparison).c_str());
+        if (request.differences) write_text(*request.differences, measured_csv(comparison));
+    }
+    const std::string json = values_json(*solution);
+    if (request.json) write_text(*request.json, request.compared_with ? json_with(json, comparison) : json);
     if (solution->refusal.empty()) return exit_done;
     std::fprintf(stderr, "%s: %s\n", request.project.c_str(), solution->refusal.c_str());
     return exit_answer_is_no;

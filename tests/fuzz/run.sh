@@ -15,6 +15,7 @@ case $target in
     luminaire) names=(-name '*.ies' -o -name '*.ldt' -o -name '*.xml') ;;
     project) names=(-name '*.hanei') ;;
     reference) names=(-path '*/reference/*.json') ;;
+    measured) names=(-path '*/measured/*.csv') ;;
     gltf) names=(-name '*.gltf' -o -name '*.glb') ;;
     *) echo "run.sh: $target is no reader" >&2; exit 2 ;;
 esac

@@ -216,6 +216,35 @@ TEST_F(CommandLine, validate_of_an_empty_folder_is_bad_input) {
     EXPECT_EQ(run({"validate", folder}), exit_bad_input);
 }
 
+TEST_F(CommandLine, solve_compares_with_values_of_others_in_any_usual_table) {
+    const auto values = scratch("values.csv"), theirs = scratch("theirs.csv"), pairs = scratch("pairs.csv"),
+               json = scratch("compared.json");
+    const std::string room = rooms + "computer-room-panels.hanei";
+    ASSERT_EQ(run({"solve", room, "--max-patch", "1", "--csv", values}), exit_done) << err_;
+    EXPECT_EQ(run({"solve", room, "--max-patch", "1", "--compare", values}), exit_done) << err_;
+    EXPECT_NE(out_.find("0.00 / 0.00 / 0.00"), std::string::npos) << "our own values, again: " << out_;
+    std::ofstream(theirs) << "Some program\r\n\r\nX [mm];Y [mm];Z [mm];E [lx];Uncertainty [%]\r\n"
+                             "1500,5;1000;750;500,5;4\r\n1500;1500;750;/;\r\n";
+    ASSERT_EQ(run({"solve", room, "--max-patch", "1", "--compare", theirs, "--differences", pairs, "--json", json}),
+              exit_done)
+        << err_;
+    EXPECT_NE(out_.find("1 rows have no value"), std::string::npos) << out_;
+    EXPECT_EQ(content(pairs).rfind("line,set,index,x_m", 0), 0U);
+    EXPECT_NE(content(json).find("\"within_our_error_bar\""), std::string::npos);
+}
+
+TEST_F(CommandLine, a_table_that_cannot_be_compared_is_bad_input_with_its_line) {
+    const auto theirs = scratch("theirs.csv");
+    const std::string room = rooms + "computer-room-panels.hanei";
+    std::ofstream(theirs) << "set,index,lux\nNowhere,1,abc\n";
+    EXPECT_EQ(run({"solve", room, "--compare", theirs}), exit_bad_input);
+    EXPECT_NE(err_.find("theirs.csv:2: lux: \"abc\" is no number"), std::string::npos) << err_;
+    std::ofstream(theirs) << "set,index,lux\nNowhere,1,5\n";
+    EXPECT_EQ(run({"solve", room, "--max-patch", "2", "--compare", theirs}), exit_bad_input);
+    EXPECT_NE(err_.find("theirs.csv:2: set: no calculation grid \"Nowhere\""), std::string::npos) << err_;
+    EXPECT_EQ(run({"solve", room, "--compare", "nowhere.csv"}), exit_bad_input);
+}
+
 /// More cases than travel with the project, where they lie.
 TEST_F(CommandLine, direct_light_and_furnaces_of_the_shared_reference_pass) {
     const std::filesystem::path folder = HANEI_SHARED "/reference";
