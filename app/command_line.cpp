@@ -5,6 +5,7 @@
 #include "app/exchange_commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/hard_cases.h"
 #include "app/light_commands.h"
 #include "app/new_command.h"
 #include "app/photometry_command.h"
@@ -74,6 +75,7 @@ struct Arguments {
     ReadingArguments reading;
     LayoutRequest layout;
     std::filesystem::path check_project, photometry_file, described;
+    bool check_hard = false;
     std::optional<std::filesystem::path> photometry_json;
     std::optional<int> photometry_lamp_set;
     std::string size = "1280x800";
@@ -224,7 +226,10 @@ void add_new(CLI::App& app, Arguments& arguments) {
 
 void add_check(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("check", "Find faults of the file and of the scene");
-    add_project(*command, arguments.check_project);
+    command->add_option("PROJECT", arguments.check_project, "Project file (.hanei)");
+    command->add_flag("--hard", arguments.check_hard,
+                      "Compute the gallery of hard cases: what is right, what is naive, what comes out");
+    command->require_option(1);
 }
 
 void add_validate(CLI::App& app, Arguments& arguments) {
@@ -306,6 +311,7 @@ int run(const CLI::App& app, Arguments& arguments) {
         return layout_command(arguments.layout);
     }
     if (app.got_subcommand("new")) return new_command(arguments.made);
+    if (app.got_subcommand("check") && arguments.check_hard) return check_hard_command();
     if (app.got_subcommand("check")) return check_command(arguments.check_project);
     if (app.got_subcommand("validate")) {
         arguments.validate.change = change;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hanei::test {
 namespace {
@@ -16,8 +17,14 @@ Photometry random_photometry(Scene& scene, Dice& dice) {
     photometry.horizontal_deg = round ? std::vector<double>{0.0} : std::vector<double>{0.0, 45.0, 90.0};
     const double end = dice.pick({90.0, 180.0});
     for (int k = 0; k <= 6; ++k) photometry.vertical_deg.push_back(end * k / 6.0);
-    for (std::size_t k = 0; k < photometry.horizontal_deg.size() * 7; ++k)
-        photometry.candela.push_back(dice.chance(0.2) ? 0.0 : dice.in(0.0, 800.0));
+    const bool jagged = dice.chance(0.15);  // else a beam, wide or narrow, a little different in each plane
+    const double power = dice.in(0.5, 4.0), peak = dice.in(10.0, 1000.0);
+    for (std::size_t plane = 0; plane < photometry.horizontal_deg.size(); ++plane)
+        for (const double vertical : photometry.vertical_deg) {
+            const double beam = std::pow(std::max(0.0, std::cos(0.5 * std::numbers::pi * vertical / end)), power);
+            const double share = plane == 0 || vertical == 0.0 ? 1.0 : dice.in(0.8, 1.0);
+            photometry.candela.push_back(jagged ? dice.in(0.0, 800.0) : peak * share * beam);
+        }
     photometry.opening.shape =
         dice.pick({OpeningShape::point, OpeningShape::rectangle, OpeningShape::circle, OpeningShape::box,
                    OpeningShape::vertical_cylinder, OpeningShape::sphere, OpeningShape::horizontal_cylinder});
@@ -118,7 +125,7 @@ void choose_place(const Scene& scene, Luminaire& luminaire, Dice& dice, const Ve
     luminaire.yaw = dice.chance(0.3) ? dice.in(0.0, 6.0) : 0.0;
     luminaire.tilt = dice.chance(0.25) ? dice.in(-3.0, 3.0) : 0.0;
     luminaire.roll = dice.chance(0.1) ? dice.in(-3.0, 3.0) : 0.0;
-    if (dice.chance(0.1)) luminaire.tilt = 1.5707963267948966;  // shines along the horizon
+    if (dice.chance(0.1)) luminaire.tilt = 0.5 * std::numbers::pi;  // shines along the horizon
     luminaire.dimming = dice.chance(0.2) ? dice.in(0.0, 1.0) : 1.0;
     luminaire.opaque = dice.chance(0.2);
 }

@@ -220,6 +220,66 @@ Scene random_scene(std::uint64_t seed) {
     }
 }
 
+namespace {
+
+/// How far an opening reaches from its luminaire's place.
+double reach_of(const Scene& scene, const Luminaire& luminaire) {
+    const auto farthest = [](const std::vector<Vec3>& places) {
+        double far = 0.0;
+        for (const Vec3& place : places) far = std::max(far, glm::length(place));
+        return far;
+    };
+    if (const auto* const line = std::get_if<LineOpening>(&luminaire.opening)) return farthest({line->from, line->to});
+    if (const auto* const polygon = std::get_if<PolygonOpening>(&luminaire.opening))
+        return farthest(polygon->region.outline);
+    if (const auto* const solid = std::get_if<PolyhedronOpening>(&luminaire.opening)) return farthest(solid->vertices);
+    double far = 0.0;
+    if (const auto* const measured = std::get_if<Measured>(&luminaire.distribution))
+        for (const Photometry& table : scene.photometries)
+            if (table.id == measured->photometry)
+                far = glm::length(Vec3{table.opening.extent_0, table.opening.extent_90, table.opening.height});
+    return far;
+}
+
+/// A box around every luminaire keeps clear of furniture, walls and ceiling.
+bool hang_free(const Scene& scene) {
+    Scene boxed = scene;
+    boxed.luminaires.clear();
+    boxed.points.clear();
+    for (const Luminaire& luminaire : scene.luminaires) {
+        const double half = 1.01 * reach_of(scene, luminaire) + 0.01 * extent_of(scene);
+        Furniture around;
+        around.id = boxed.new_id();
+        around.name = "around a luminaire";
+        around.position = luminaire.position - Vec3{0.0, 0.0, half};
+        Part part;
+        part.shape = BoxShape{Vec3{2.0 * half}};
+        part.material = boxed.materials.front().id;
+        around.parts.push_back(part);
+        boxed.furniture.push_back(around);
+    }
+    const Diagnostics findings = check_scene(boxed);
+    return std::none_of(findings.begin(), findings.end(), [](const Diagnostic& finding) {
+        return finding.message.find("around a luminaire") != std::string::npos;
+    });
+}
+
+}  // namespace
+
+Scene random_scene_of_free_luminaires(std::uint64_t seed) {
+    for (std::uint64_t k = 0;; ++k) {
+        Scene scene = random_scene(seed + (k << 32U));
+        const auto stray = [&](const Luminaire& luminaire) {
+            Scene alone = scene;
+            alone.luminaires = {luminaire};
+            return !hang_free(alone);
+        };
+        scene.luminaires.erase(std::remove_if(scene.luminaires.begin(), scene.luminaires.end(), stray),
+                               scene.luminaires.end());
+        if (!scene.luminaires.empty()) return scene;
+    }
+}
+
 Settings random_settings(std::uint64_t seed, const Scene& scene) {
     Dice dice(seed ^ 0x9e3779b97f4a7c15U);
     Settings settings;

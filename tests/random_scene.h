@@ -40,6 +40,10 @@ private:
 /// Holds     the same scene for the same seed. Some 5 objects and 10 places of calculation.
 Scene random_scene(std::uint64_t seed);
 
+/// The same kind of scene, whose luminaires hang clear of walls, ceiling and furniture: all of their light
+/// gets into the room.
+Scene random_scene_of_free_luminaires(std::uint64_t seed);
+
 /// Settings for it, of any method; patches a third to a twelfth of the scene wide.
 Settings random_settings(std::uint64_t seed, const Scene& scene);
 

@@ -62,7 +62,7 @@ struct OpeningPlaces {
 class Surroundings {
 public:
     explicit Surroundings(const Scene& scene)
-        : scene_(scene), solids_(solids_of(scene)), thickness_(tolerance::planar * bounds_of(scene).diameter()) {}
+        : scene_(scene), solids_(solids_of(scene)), diameter_(bounds_of(scene).diameter()) {}
 
     double outside(const std::vector<Vec3>& places) const {
         const double distance = scene_.room.has_value() ? farthest_outside(*scene_.room, places) : 0.0;
@@ -71,8 +71,7 @@ public:
 
     /// Does the wall, floor or ceiling stand right in front of the face?
     bool faces_out(const Vec3& place, const Vec3& normal) const {
-        constexpr double in_front = 0.02;  // m: with less room than that before it nothing lights or is lit
-        return outside({place}) == 0.0 && outside({place + in_front * normal}) > 0.0;
+        return outside({place}) == 0.0 && outside({place + in_front_ * normal}) > 0.0;
     }
 
     /// The name of furniture that one of the places is inside of, quoted; empty when there is none.
@@ -92,7 +91,10 @@ private:
 
     const Scene& scene_;
     std::vector<Solid> solids_;
-    double thickness_;
+    double diameter_;
+    double thickness_ = tolerance::planar * diameter_;
+    /// m: with less room than that before it nothing lights or is lit; in a model the same share of it.
+    double in_front_ = std::min(0.02, 0.004 * diameter_);
 };
 
 void check_luminaire(const Surroundings& around, const Scene& scene, ObjectFindings& object,

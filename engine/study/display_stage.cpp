@@ -11,6 +11,10 @@ namespace {
 
 constexpr std::size_t most_places = 200'000;  // of cuts gone by: kept light is memory
 
+/// Far below the most that a float holds, where there is more: the paper's form factors from point to point grow past
+/// all bounds in a gap of a micrometre, and what is infinite cannot be drawn.
+float shown(double lux) { return static_cast<float>(std::min(lux, 1e30)); }
+
 }  // namespace
 
 std::vector<WeightedEmitter> emitters_of(const Scene& scene) {
@@ -99,15 +103,14 @@ std::shared_ptr<const DisplayMesh> DisplayStage::dressed(const LightOfSurfaces& 
         };
         DisplayVertex& vertex = display->vertices[k];
         vertex.position = places_.receivers()[cut_.places[k]].position;
-        vertex.direct = static_cast<float>(light_.total(cut_.places[k]));
-        vertex.interreflected = static_cast<float>(among(light.interreflected));
-        if (display->has_unshadowed)
-            vertex.unshadowed = static_cast<float>(open_light_.total(cut_.places[k]) + among(light.open));
+        vertex.direct = shown(light_.total(cut_.places[k]));
+        vertex.interreflected = shown(among(light.interreflected));
+        if (display->has_unshadowed) vertex.unshadowed = shown(open_light_.total(cut_.places[k]) + among(light.open));
         if (!coloured_) continue;
         const Vec3 direct = light_.bands(cut_.places[k]);
         for (std::size_t band = 0; band < colour_bands; ++band) {
             const double from_surfaces = among(light.bands.empty() ? light.interreflected : light.bands[band]);
-            display->tinted[k][band] = static_cast<float>(direct[static_cast<int>(band)] + from_surfaces);
+            display->tinted[k][band] = shown(direct[static_cast<int>(band)] + from_surfaces);
         }
     }
     return display;

@@ -11,6 +11,10 @@ namespace hanei {
 
 namespace {
 
+/// Form factors from point to point grow past all bounds in a gap; a float ends at 3e38, and what is
+/// infinite ends every sum. Rows that come near this say of themselves that they pass on too much light.
+constexpr double most_of_a_factor = 1e30;
+
 struct Bounds {
     Vec3 low{std::numeric_limits<double>::infinity()};
     Vec3 high{-std::numeric_limits<double>::infinity()};
@@ -103,7 +107,8 @@ void PaperRows::write_factors(const Vertex& at, float* row) const {
         const double over_sender = -glm::dot(from.receiver.normal, apart);
         if (over_receiver <= 0.0 || over_sender <= 0.0) continue;
         const double square = glm::dot(apart, apart);
-        row[j] = static_cast<float>(over_receiver * over_sender * from.area / (std::numbers::pi * square * square));
+        const double factor = over_receiver * over_sender * from.area / (std::numbers::pi * square * square);
+        row[j] = static_cast<float>(std::fmin(factor, most_of_a_factor));
     }
 }
 
