@@ -10,6 +10,7 @@
 #include "app/new_command.h"
 #include "app/photometry_command.h"
 #include "app/reading_arguments.h"
+#include "engine/study/presets.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -125,6 +126,14 @@ void add_solve(CLI::App& app, Arguments& arguments) {
         "Values of a meter or another program (CSV) to compare with: columns lux, and set and index, or x, y, z");
     command->add_option("--differences", arguments.solve.differences, "Write every compared pair here (CSV)")
         ->needs(compare);
+    auto* preset = command
+                       ->add_option("--preset", arguments.solve.preset,
+                                    "Choose method, patch width and accuracy: draft (95 of 100 points within 10 %), "
+                                    "design (3 %), verify (1 %), as studies on this machine predict it")
+                       ->check(CLI::IsMember({"draft", "design", "verify"}));
+    command->add_option("--within", arguments.solve.within, "The same for any wish (percent)")
+        ->check(CLI::Range(100.0 * least_wish, 100.0 * greatest_wish))
+        ->excludes(preset);
     arguments.common.add_to(*command);
 }
 
@@ -197,16 +206,25 @@ void add_plan(CLI::App& app, Arguments& arguments) {
 void add_study(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("study", "Accuracy against time: methods and patch widths on this scene");
     command
-        ->add_option("PROJECT", arguments.study.project,
-                     "Project file (.hanei): errors against a finest run of method linear. Or a reference case "
-                     "(.json): errors against its expected values, for each set of its points")
+        ->add_option(
+            "PROJECT", arguments.study.project,
+            "Project file (.hanei): errors against the finest run, with its own uncertainty. Or a reference case "
+            "(.json): errors against its expected values, for each set of its points")
         ->required();
     command->add_option("--out", arguments.study.out, "Folder for accuracy-time.csv and .svg")->required();
+    command
+        ->add_option("--budget", arguments.study.budget,
+                     "Time for all runs (s); those that are predicted to go beyond it are left out, and told")
+        ->check(CLI::Range(0.5, 86'400.0))
+        ->capture_default_str();
     arguments.common.add_to(*command);
     command->footer(
-        "Every method runs with patches of 4, 2, 1 and 1/2 times --max-patch, linear of twice these, paper with "
-        "ten interreflections at most; "
-        "--method has no effect.");
+        "Every method runs with patches of 4, 2, 1 and 1/2 times --max-patch, linear of twice these, each with 1, 2, "
+        "4, "
+        "10 and all interreflections (paper with ten at most), with and without shadows between surfaces; then the "
+        "present settings, the paper's own, the presets draft, design and verify, and the lumen method. What no other "
+        "beats is the frontier. Times are kept in XDG_STATE_HOME/hanei/calibration.json: from them the presets are "
+        "predicted. Ctrl+C ends it and keeps what was found.");
 }
 
 void add_new(CLI::App& app, Arguments& arguments) {

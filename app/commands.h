@@ -23,6 +23,8 @@ struct SolveRequest {
     std::string cut{};          ///< "z=1.2": what lies above is left out; "-z=1.2": what lies below; empty: as the view
     std::string light_scene{};  ///< recalled first, by name; empty: the dimmers as they are
     std::optional<std::filesystem::path> compared_with{}, differences{};  ///< values of others; where pairs go (CSV)
+    std::string preset{};       ///< draft, design, verify: chooses method, patch width and accuracy
+    double within = 0.0;        ///< percent, the same for any wish; 0: none
 };
 int solve_command(const SolveRequest& request);
 
@@ -65,6 +67,7 @@ int plan_command(const PlanRequest& request);
 struct SweepRequest {
     std::filesystem::path project, out;
     SettingsChange change;
+    double budget = 60.0;  ///< s
 };
 int study_command(const SweepRequest& request);
 

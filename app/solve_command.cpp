@@ -1,3 +1,4 @@
+#include "app/calibration_file.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
@@ -7,7 +8,9 @@
 #include "engine/report/measured_report.h"
 #include "engine/report/report.h"
 #include "engine/report/report_json.h"
+#include "engine/report/sweep_report.h"
 #include "engine/scene/scene_check.h"
+#include "engine/study/presets.h"
 #include "engine/study/study.h"
 
 #include <cstdio>
@@ -34,6 +37,26 @@ std::string json_with(const std::string& solution, const MeasuredComparison& com
     return json.dump(2) + '\n';
 }
 
+/// Chooses what the wish asks for; other options that are given have the last word.
+void choose_settings(const SolveRequest& request, const Scene& scene, Settings& settings) {
+    const auto preset = preset_named(request.preset);
+    if (!preset && !(request.within > 0.0)) return;
+    const double wish = preset ? wished_error(*preset) : 0.01 * request.within;
+    const Calibration calibration = known_calibration();
+    const Suggestion suggestion = settings_for(scene, settings, wish, calibration);
+    settings = suggestion.settings;
+    request.change(settings);
+    const Prediction prediction =
+        settings == suggestion.settings ? suggestion.prediction : calibration.predict(scene, settings);
+    std::fprintf(stderr,
+                 "%s %.3g %%: --method %s --max-patch %.3g --bounces %d --accuracy %.3g; predicted %s, and 95 of 100 "
+                 "points within %s (%s)%s\n",
+                 preset ? request.preset.c_str() : "within", 100.0 * wish,
+                 std::string(name_of(settings.method)).c_str(), settings.max_patch, settings.bounces,
+                 100.0 * settings.accuracy, time_text(prediction.ms).c_str(), percent_text(prediction.error).c_str(),
+                 basis_of(prediction).c_str(), suggestion.reaches ? "" : "; nothing is predicted to reach it");
+}
+
 }  // namespace
 
 int solve_command(const SolveRequest& request) {
@@ -43,6 +66,7 @@ int solve_command(const SolveRequest& request) {
     if (!project) return exit_bad_input;
     if (!recall_light_scene(project->scene, request.light_scene, request.project)) return exit_bad_input;
     request.change(project->settings);
+    choose_settings(request, project->scene, project->settings);
     const auto scene = std::make_shared<const Scene>(std::move(project->scene));
     Study study;
     const SolutionSnapshot solution = study.run(scene, project->settings, StudyRequest{.energy = true}, Work{});

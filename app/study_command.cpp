@@ -1,7 +1,11 @@
+#include "app/calibration_file.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/files.h"
+#include "app/interrupt.h"
+#include "app/progress_line.h"
 #include "app/reference_scene.h"
+#include "engine/base/tiles.h"
 #include "engine/base/whole_file.h"
 #include "engine/report/sweep_report.h"
 
@@ -44,6 +48,7 @@ std::optional<Swept> from_reference(const std::filesystem::path& file) {
         swept.expected->source = "the expected values of " + reference.id;
         for (const ReferencePoint& point : reference.points) {
             swept.expected->lux.push_back(point.expected);
+            swept.expected->uncertainty.push_back(point.uncertainty);
             swept.expected->sets.push_back(point.set.empty() ? "points" : point.set);
         }
         return swept;
@@ -59,14 +64,26 @@ int study_command(const SweepRequest& request) {
         request.project.extension() == ".json" ? from_reference(request.project) : from_project(request.project);
     if (!swept) return exit_bad_input;
     request.change(swept->settings);
+    SweepWish wish;
+    if (swept->expected) wish.expected = &*swept->expected;
+    wish.budget = request.budget;
+    wish.calibration = known_calibration();
+    Progress progress;
+    Interrupt interrupt;
+    std::optional<ProgressLine> line(std::in_place, progress);
     const Sweep sweep =
-        accuracy_sweep(swept->scene, swept->settings, swept->expected ? &*swept->expected : nullptr, Work{});
-    if (const auto reason = make_folder(request.out)) throw std::runtime_error(request.out.string() + ": " + *reason);
-    const std::string csv = sweep_csv(sweep);
-    std::fputs(csv.c_str(), stdout);
-    write_text(request.out / "accuracy-time.csv", csv);
-    write_text(request.out / "accuracy-time.svg", sweep_svg(sweep, swept->title));
-    return exit_done;
+        accuracy_sweep(swept->scene, swept->settings, wish, Work{hardware_threads(), interrupt.token(), &progress});
+    line.reset();
+    keep_learned(sweep.learned);
+    std::fputs(sweep_text(sweep).c_str(), sweep.points.empty() ? stderr : stdout);
+    if (!sweep.points.empty()) {
+        if (const auto reason = make_folder(request.out))
+            throw std::runtime_error(request.out.string() + ": " + *reason);
+        write_text(request.out / "accuracy-time.csv", sweep_csv(sweep));
+        write_text(request.out / "accuracy-time.svg", sweep_svg(sweep, swept->title));
+    }
+    if (interrupt.came()) interrupt.pass_on();
+    return sweep.points.empty() ? exit_answer_is_no : exit_done;
 }
 
 }  // namespace hanei

@@ -20,11 +20,11 @@ std::filesystem::path folder_named(const char* variable, const char* below_home)
 }  // namespace
 
 std::optional<UserFolders> user_folders(const std::optional<std::filesystem::path>& named) {
-    if (named) return UserFolders{*named / "preferences.json", *named / "recovery"};
+    if (named) return UserFolders{*named / "preferences.json", *named / "recovery", *named / "calibration.json"};
     const std::filesystem::path config = folder_named("XDG_CONFIG_HOME", ".config");
     const std::filesystem::path state = folder_named("XDG_STATE_HOME", ".local/state");
     if (config.empty() || state.empty()) return std::nullopt;
-    return UserFolders{config / "hanei/preferences.json", state / "hanei/recovery"};
+    return UserFolders{config / "hanei/preferences.json", state / "hanei/recovery", state / "hanei/calibration.json"};
 }
 
 UserDoor user_door(const UserFolders& folders) {

@@ -11,6 +11,7 @@ namespace hanei {
 struct UserFolders {
     std::filesystem::path preferences;  ///< the file
     std::filesystem::path recovery;     ///< the folder of unsaved work
+    std::filesystem::path calibration;  ///< the file of what studies took on this machine
 };
 
 /// As the XDG rules say (XDG_CONFIG_HOME and XDG_STATE_HOME, else below HOME), or all below the folder

@@ -1,200 +1,155 @@
 #include "engine/report/sweep_report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <vector>
 
 namespace hanei {
-
 namespace {
 
-// Pixels. Three panels a row; the legend above them, the time axis below each.
-constexpr double panel_width = 290, panel_height = 210, left = 96, between = 30, top = 138, row_height = 280;
-constexpr double right = 30, bottom = 14;
-constexpr double total_width = left + 3 * panel_width + 2 * between + right;
-constexpr const char* quiet = "#68707c";
-constexpr double highest = 1000.0;  // percent: what is more is drawn there
+std::string marks_text(const SweepMarks& marks) {
+    std::string text;
+    const auto add = [&](std::string_view word) { text += fmt::format("{}{}", text.empty() ? "" : " ", word); };
+    if (marks.current) add("current");
+    if (marks.paper) add("paper's-own");
+    if (marks.preset) add(name_of(*marks.preset));
+    return text;
+}
 
-struct Figure {
-    const char* name;
-    double SweepErrors::*of;
-};
-constexpr std::array figures{Figure{"mean error", &SweepErrors::mean}, Figure{"95th percentile", &SweepErrors::p95},
-                             Figure{"greatest error", &SweepErrors::max}};
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == ',' || c == '"' || c == '\n' || c == '\r'; }, ' ');
+    return text;
+}
 
-/// A logarithmic axis of whole decades onto pixels.
-struct Axis {
-    double low_decade = 0.0, high_decade = 1.0, from = 0.0, to = 1.0;
+std::string errors_fields(const SweepErrors& errors) {
+    return fmt::format("{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", one_line(errors.set), 100 * errors.mean,
+                       100 * errors.p95, 100 * errors.max, errors.mean_lux, errors.p95_lux, errors.max_lux);
+}
 
-    Axis(double low, double high, double from_pixel, double to_pixel)
-        : low_decade(std::floor(std::log10(low))),
-          high_decade(std::ceil(std::log10(high))),
-          from(from_pixel),
-          to(to_pixel) {
-        if (high_decade <= low_decade) high_decade = low_decade + 1.0;
-    }
-    double at(double value) const {
-        const double share = (std::log10(value) - low_decade) / (high_decade - low_decade);
-        return from + std::clamp(share, 0.0, 1.0) * (to - from);
-    }
-};
+std::string run_fields(const Settings& settings, bool shadows) {
+    return fmt::format("{},{:.6g},{},{},{:.3g}", name_of(settings.method), settings.max_patch, settings.bounces,
+                       shadows ? "yes" : "no", 100 * settings.accuracy);
+}
 
-/// Ends of both axes over all panels.
-struct Range {
-    double fastest = 1e30, slowest = 0.0, least = 1e30, greatest = 0.0;
-};
+constexpr const char* rule = "    {:<9}{:<34}{:>11}{:>11}{:>11}{:>11}\n";
 
-Range range_of(const Sweep& sweep) {
-    Range range;
+std::string presets_text(const Sweep& sweep) {
+    std::string text, basis;
     for (const SweepPoint& point : sweep.points) {
-        range.fastest = std::min(range.fastest, point.milliseconds);
-        range.slowest = std::max(range.slowest, point.milliseconds);
-        for (const SweepErrors& errors : point.errors) {
-            for (const Figure& figure : figures) {
-                const double percent = 100.0 * errors.*figure.of;
-                if (!(percent > 0.0)) continue;
-                range.least = std::min(range.least, percent);
-                range.greatest = std::max(range.greatest, std::min(highest, percent));
-            }
-        }
+        if (!point.marks.preset) continue;
+        basis = basis_of(point.predicted);
+        text += fmt::format(rule, name_of(*point.marks.preset), words_of(point), time_text(point.predicted.ms),
+                            time_text(point.milliseconds), percent_text(point.predicted.error),
+                            percent_text(point.errors.front().p95));
     }
-    if (!(range.greatest > 0.0)) range.least = 0.1, range.greatest = 1.0;
-    if (!(range.slowest > 0.0)) range.fastest = 1.0, range.slowest = 10.0;
-    return range;
+    if (text.empty()) return {};
+    return fmt::format("Presets, predicted from {} (error: 95 of 100 points are within it)\n", basis) +
+           fmt::format(rule, "", "", "predicted", "took", "predicted", "found") + text;
 }
 
-std::string decade_text(double value, const char* unit) {
-    return (value >= 1.0 ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value)) + unit;
-}
-
-std::string grid_lines(const Axis& x, const Axis& y, bool with_errors) {
-    std::string svg;
-    for (double decade = x.low_decade; decade <= x.high_decade; ++decade) {
-        const double at = x.at(std::pow(10.0, decade));
-        svg += fmt::format("<line x1='{0:.1f}' y1='{1:.1f}' x2='{0:.1f}' y2='{2:.1f}' stroke='#d8dce2'/>\n", at, y.to,
-                           y.from);
-        const std::string text =
-            decade < 3.0 ? decade_text(std::pow(10.0, decade), " ms") : decade_text(std::pow(10.0, decade - 3.0), " s");
-        const char* anchor = decade == x.low_decade ? "start" : decade == x.high_decade ? "end" : "middle";
-        svg += fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='{}'>{}</text>\n", at, y.from + 20, anchor, text);
-    }
-    for (double decade = y.low_decade; decade <= y.high_decade; ++decade) {
-        const double at = y.at(std::pow(10.0, decade));
-        svg += fmt::format("<line x1='{1:.1f}' y1='{0:.1f}' x2='{2:.1f}' y2='{0:.1f}' stroke='#d8dce2'/>\n", at, x.from,
-                           x.to);
-        const double percent = std::pow(10.0, decade);
-        if (with_errors)
-            svg += fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='end'>{}</text>\n", x.from - 8, at + 4,
-                               (percent < highest ? "" : "≥ ") + decade_text(percent, " %"));
-    }
-    return svg;
-}
-
-const char* colour_of(Method method) {
-    switch (method) {
-        case Method::paper:
-            return "#b5523b";
-        case Method::paper_closed:
-            return "#c98a2b";
-        case Method::patch:
-            return "#2c6e9e";
-        case Method::linear:
-            return "#2f8a5b";
-    }
-    return "#2b313b";
-}
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return safe;
-}
-
-std::string method_line(const Sweep& sweep, std::size_t set, const Figure& figure, Method method, const Axis& x,
-                        const Axis& y) {
-    std::string path, marks;
-    for (const SweepPoint& point : sweep.points) {
-        if (point.method != method || set >= point.errors.size()) continue;
-        const double percent = 100.0 * point.errors[set].*figure.of;
-        if (!(percent > 0.0)) continue;
-        const double at_x = x.at(point.milliseconds), at_y = y.at(percent);
-        path += fmt::format("{}{:.1f},{:.1f} ", path.empty() ? "M" : "L", at_x, at_y);
-        marks += fmt::format(
-            "<circle cx='{:.1f}' cy='{:.1f}' r='4' fill='{}'><title>{}, patches of {:.3g} m, {} unknowns: {:.3g} % in "
-            "{:.3g} ms</title></circle>\n",
-            at_x, at_y, colour_of(method), name_of(method), point.max_patch, point.unknowns, percent,
-            point.milliseconds);
-    }
-    return fmt::format("<path d='{}' fill='none' stroke='{}' stroke-width='2'/>\n", path, colour_of(method)) + marks;
-}
-
-/// Each method with the widths of its markers.
-std::string legend(const Sweep& sweep) {
-    std::string svg;
-    double at = left;
-    for (const Method method : methods) {
-        std::string widths;
-        for (const SweepPoint& point : sweep.points)
-            if (point.method == method)
-                widths += (widths.empty() ? "" : " · ") + fmt::format("{:.2g}", point.max_patch);
-        svg += fmt::format("<circle cx='{:.1f}' cy='82' r='5' fill='{}'/>", at + 5, colour_of(method));
-        svg += fmt::format("<text x='{:.1f}' y='87' fill='{}' font-weight='600'>{}</text>\n", at + 17,
-                           colour_of(method), name_of(method));
-        svg += fmt::format("<text x='{:.1f}' y='104' fill='{}' font-size='12'>{} m</text>\n", at + 17, quiet, widths);
-        at += 0.25 * (total_width - left - right);
-    }
-    return svg;
-}
-
-}  // namespace
-
-std::string sweep_csv(const Sweep& sweep) {
-    std::string text =
-        "method,max_patch_m,unknowns,time_ms,set,mean_error_percent,p95_error_percent,max_error_percent\n";
-    for (const SweepPoint& point : sweep.points) {
-        for (const SweepErrors& errors : point.errors) {
-            std::string set = errors.set;
-            std::replace_if(
-                set.begin(), set.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, ' ');
-            text += fmt::format("{},{:.6g},{},{:.2f},{},{:.6g},{:.6g},{:.6g}\n", name_of(point.method), point.max_patch,
-                                point.unknowns, point.milliseconds, set, 100 * errors.mean, 100 * errors.p95,
-                                100 * errors.max);
-        }
+std::string frontier_text(const Sweep& sweep) {
+    std::vector<const SweepPoint*> best;
+    for (const SweepPoint& point : sweep.points)
+        if (point.on_frontier) best.push_back(&point);
+    std::sort(best.begin(), best.end(),
+              [](const SweepPoint* a, const SweepPoint* b) { return a->milliseconds < b->milliseconds; });
+    std::string text = "Frontier: nothing is both sooner and more exact\n";
+    text += fmt::format("    {:>9}{:>10}{:>10}{:>10}  {}\n", "time", "mean", "95 of 100", "greatest", "settings");
+    for (const SweepPoint* point : best) {
+        const SweepErrors& errors = point->errors.front();
+        text += fmt::format("    {:>9}{:>10}{:>10}{:>10}  {}{}\n", time_text(point->milliseconds),
+                            percent_text(errors.mean), percent_text(errors.p95), percent_text(errors.max),
+                            words_of(*point), point->marks.current ? " (current)" : "");
     }
     return text;
 }
 
-std::string sweep_svg(const Sweep& sweep, const std::string& title) {
-    std::vector<std::string> sets;
-    if (!sweep.points.empty())
-        for (const SweepErrors& errors : sweep.points.front().errors) sets.push_back(errors.set);
-    const double height = top + row_height * static_cast<double>(std::max<std::size_t>(1, sets.size())) + bottom;
-    std::string svg = fmt::format(
-        "<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}' "
-        "font-family='Inter, DejaVu Sans, sans-serif' font-size='13' fill='#2b313b'>\n"
-        "<rect width='100%' height='100%' fill='white'/>\n",
-        total_width, height);
-    svg += fmt::format("<text x='{}' y='32' font-size='18'>{}: accuracy against time</text>\n", left, escaped(title));
-    svg += fmt::format(
-        "<text x='{}' y='54' fill='{}'>errors in percent of the value, against {}; time from a cold start to every "
-        "value</text>\n",
-        left, quiet, escaped(sweep.against));
-    svg += legend(sweep);
-    const Range range = range_of(sweep);
-    for (std::size_t set = 0; set < sets.size(); ++set) {
-        const double upper = top + row_height * static_cast<double>(set) + 20;
-        for (std::size_t column = 0; column < figures.size(); ++column) {
-            const double from = left + (panel_width + between) * static_cast<double>(column);
-            const Axis x(range.fastest, range.slowest, from, from + panel_width);
-            const Axis y(range.least, range.greatest, upper + panel_height, upper);
-            svg += fmt::format("<text x='{:.1f}' y='{:.1f}' font-weight='600'>{}: {}</text>\n", from, upper - 9,
-                               escaped(sets[set] == "all" ? "all points" : sets[set]), figures[column].name);
-            svg += grid_lines(x, y, column == 0);
-            for (const Method method : methods) svg += method_line(sweep, set, figures[column], method, x, y);
-        }
-    }
-    return svg + "</svg>\n";
+}  // namespace
+
+std::string words_of(const SweepPoint& point) {
+    std::string words = fmt::format("{}, {:.2g} m", name_of(point.settings.method), point.settings.max_patch);
+    if (!point.complete)
+        words += fmt::format(", {} bounce{}", point.settings.bounces, point.settings.bounces == 1 ? "" : "s");
+    if (!point.shadows) words += ", no shadows between surfaces";
+    return words;
+}
+
+std::string basis_of(const Prediction& prediction) {
+    if (prediction.studies == 0) return "figures measured elsewhere, none of this machine yet";
+    return prediction.same_room ? "studies of this room on this machine" : "studies of other rooms on this machine";
+}
+
+std::string time_text(double milliseconds) {
+    if (milliseconds < 9.95) return fmt::format("{:.1f} ms", milliseconds);
+    if (milliseconds < 999.5) return fmt::format("{:.0f} ms", milliseconds);
+    if (milliseconds < 9950.0) return fmt::format("{:.1f} s", 1e-3 * milliseconds);
+    if (milliseconds < 599.5e3) return fmt::format("{:.0f} s", 1e-3 * milliseconds);
+    return fmt::format("{:.0f} min", milliseconds / 60e3);
+}
+
+std::string percent_text(double share) {
+    const double percent = 100.0 * share;
+    if (percent >= 9.95) return percent < 1000.0 ? fmt::format("{:.0f} %", percent) : std::string("> 1000 %");
+    return percent >= 0.995 ? fmt::format("{:.1f} %", percent) : fmt::format("{:.2g} %", percent);
+}
+
+std::string sweep_csv(const Sweep& sweep) {
+    std::string text =
+        "kind,method,max_patch_m,bounces,shadows_between_surfaces,accuracy_percent,marks,unknowns,time_ms,predicted_ms,"
+        "predicted_p95_percent,frontier,set,mean_error_percent,p95_error_percent,max_error_percent,mean_error_lx,"
+        "p95_error_lx,max_error_lx\n";
+    for (const SweepPoint& point : sweep.points)
+        for (const SweepErrors& errors : point.errors)
+            text += fmt::format("run,{},{},{},{:.2f},{:.2f},{:.6g},{},", run_fields(point.settings, point.shadows),
+                                marks_text(point.marks), point.unknowns, point.milliseconds, point.predicted.ms,
+                                100 * point.predicted.error, point.on_frontier ? "yes" : "no") +
+                    errors_fields(errors);
+    if (!sweep.uncertainty.set.empty())
+        text += fmt::format("reference,{}; uncertainty: {},,,,,,,,,,,", one_line(sweep.against),
+                            one_line(sweep.uncertainty_words)) +
+                errors_fields(sweep.uncertainty);
+    if (sweep.lumen.refusal.empty())
+        text += fmt::format("lumen,utilization factor,,,,,,,{:.3f},,,,mean of the working plane,{:.6g},,,{:.6g},,\n",
+                            sweep.lumen.milliseconds, 100 * sweep.lumen.error(),
+                            std::abs(sweep.lumen.predicted - sweep.lumen.solved));
+    for (const LeftOut& run : sweep.left_out)
+        text +=
+            fmt::format("left out,{},,,,{:.2f},,,,,,,,,\n", run_fields(run.settings, run.shadows), run.predicted_ms);
+    return text;
+}
+
+std::string sweep_text(const Sweep& sweep) {
+    if (sweep.points.empty())
+        return sweep.stopped ? std::string("Stopped before the first run.\n")
+                             : fmt::format("No run fits into {:.3g} s: allow more time, or take wider patches.\n",
+                                           sweep.budget_s);
+    std::string text = fmt::format("Errors are against {}.\n", sweep.against);
+    const SweepErrors& sure = sweep.uncertainty;
+    if (!sure.set.empty())
+        text += fmt::format("It is uncertain itself by {} on the mean, {} at 95 of 100 points and {} at most: {}.\n",
+                            percent_text(sure.mean), percent_text(sure.p95), percent_text(sure.max),
+                            sweep.uncertainty_words);
+    if (!sweep.something_between) text += "Nothing stands between surfaces: their shadows are not tried.\n";
+    text += fmt::format("\n{}\n{}\n", presets_text(sweep), frontier_text(sweep));
+    if (sweep.lumen.refusal.empty())
+        text +=
+            fmt::format("Lumen method: {:.0f} lx on the working plane ({:.2f} m) in {}; solved {:.0f} lx: {} off.\n",
+                        sweep.lumen.predicted, sweep.lumen.working_plane, time_text(sweep.lumen.milliseconds),
+                        sweep.lumen.solved, percent_text(sweep.lumen.error()));
+    else
+        text += fmt::format("Lumen method: none, for {}.\n", sweep.lumen.refusal);
+    std::string left_out;
+    for (const LeftOut& run : sweep.left_out)
+        left_out += fmt::format("{}{} {:.2g} m{} ({})", left_out.empty() ? "" : ", ", name_of(run.settings.method),
+                                run.settings.max_patch, run.shadows ? "" : " without shadows between surfaces",
+                                time_text(run.predicted_ms));
+    if (!left_out.empty()) text += fmt::format("Left out, predicted to take longer than was left: {}.\n", left_out);
+    text +=
+        fmt::format("{} runs in {:.1f} s of {:.0f} s, {:.1f} s of processor time{}.\n", sweep.points.size(),
+                    sweep.spent_s, sweep.budget_s, sweep.processor_s, sweep.stopped ? "; stopped before the end" : "");
+    return text;
 }
 
 }  // namespace hanei

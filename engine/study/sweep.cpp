@@ -1,137 +1,228 @@
 #include "engine/study/sweep.h"
 
+#include "engine/plan/places.h"
+#include "engine/study/deadline.h"
+#include "engine/study/frontier.h"
 #include "engine/study/study.h"
+#include "engine/study/sweep_plan.h"
+#include "engine/study/sweep_run.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <ctime>
 #include <fmt/format.h>
-#include <map>
 
 namespace hanei {
 
 namespace {
 
-/// A value that is compared, and the set it counts for. `lux` is below 0 inside solids.
-struct Compared {
-    double lux = 0.0;
-    std::string set;
+using Clock = std::chrono::steady_clock;
+
+/// One sweep on its way.
+class Sweeping {
+public:
+    Sweeping(const SceneSnapshot& scene, const Settings& settings, const SweepWish& wish, const Work& work)
+        : scene_(scene),
+          settings_(settings),
+          wish_(wish),
+          work_{work.threads, work.stop, nullptr},
+          progress_(work.progress),
+          known_(wish.calibration) {
+        if (wish.expected) sets_ = wish.expected->sets;
+    }
+
+    Sweep run();
+
+private:
+    bool find_truth();
+    bool take_expected();
+    std::optional<SweepAnswer> compared_with(const Settings& fine, double share);
+    static std::string run_words(const Settings& settings, const SweepAnswer& answer);
+    bool carry_out(const PlannedRun& planned);
+    std::optional<SweepAnswer> timed(const PlannedRun& planned, std::optional<SweepRun>& run);
+    void note(const PlannedRun& planned, const SweepAnswer& answer, int bounces, double ms);
+    void learn(const PlannedRun& planned, const SweepAnswer& answer);
+    void leave_out(const PlannedRun& planned, double ms);
+    void find_frontier();
+    void tell();
+
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
+    double left_ms() const { return 1000.0 * (wish_.budget - seconds()); }
+
+    SceneSnapshot scene_;
+    Settings settings_;
+    const SweepWish& wish_;
+    Work work_;           ///< of the runs: without progress, which each would begin anew
+    Progress* progress_;  ///< of all of them
+    Calibration known_;   ///< with what the runs so far taught
+    std::vector<std::string> sets_;
+    std::vector<ComparedValue> truth_;
+    Sweep sweep_;
+    Clock::time_point begun_ = Clock::now();
+    std::clock_t processor_ = std::clock();
 };
 
-double lux_of(const PointResult& point) { return point.value.inside_solid ? -1.0 : point.value.total().value; }
-
-std::vector<Compared> values_of(const Solution& solution, const SweepExpected* expected) {
-    std::vector<Compared> values;
-    for (std::size_t k = 0; k < solution.points.size(); ++k)
-        values.push_back({lux_of(solution.points[k]), expected ? expected->sets[k] : "points"});
-    for (std::size_t g = 0; g < solution.grids.size(); ++g) {
-        const std::string& name = solution.scene->grids[g].name;
-        for (const PointResult& point : solution.grids[g].points)
-            values.push_back({lux_of(point), name.empty() ? fmt::format("grid {}", g + 1) : name});
-    }
-    return values;
+void Sweeping::tell() {
+    sweep_.spent_s = seconds();
+    sweep_.processor_s = static_cast<double>(std::clock() - processor_) / CLOCKS_PER_SEC;
+    if (progress_) progress_->advance(static_cast<float>(std::min(1.0, sweep_.spent_s / wish_.budget)));
+    if (wish_.on_way) wish_.on_way(sweep_);
 }
 
-SweepErrors errors_of(const std::string& set, const std::vector<Compared>& got, const std::vector<Compared>& expected,
-                      const std::vector<std::size_t>& which) {
-    double mean = 0.0;
-    for (const std::size_t k : which) mean += expected[k].lux / static_cast<double>(which.size());
-    SweepErrors errors{set, 0.0, 0.0, 0.0};
-    std::vector<double> shares;
-    for (const std::size_t k : which) {
-        const double of = std::max(expected[k].lux, 0.1 * mean);
-        shares.push_back(of > 0.0 ? std::abs(std::max(0.0, got[k].lux) - expected[k].lux) / of : 0.0);
-    }
-    if (shares.empty()) return errors;
-    std::sort(shares.begin(), shares.end());
-    for (const double share : shares) errors.mean += share / static_cast<double>(shares.size());
-    errors.p95 = shares[std::min(shares.size() - 1, shares.size() * 95 / 100)];
-    errors.max = shares.back();
-    return errors;
+bool Sweeping::take_expected() {
+    const SweepExpected& expected = *wish_.expected;
+    sweep_.against = expected.source;
+    for (std::size_t k = 0; k < expected.lux.size(); ++k) truth_.push_back({expected.lux[k], expected.sets[k]});
+    std::vector<ComparedValue> off = truth_;
+    for (std::size_t k = 0; k < std::min(off.size(), expected.uncertainty.size()); ++k)
+        off[k].lux += expected.uncertainty[k];
+    sweep_.uncertainty = errors_by_set(off, truth_).front();
+    sweep_.uncertainty_words = "as the case states it";
+    return true;
 }
 
-std::vector<SweepErrors> errors_by_set(const std::vector<Compared>& got, const std::vector<Compared>& expected) {
-    std::vector<std::size_t> all;
-    std::map<std::string, std::vector<std::size_t>> sets;
-    for (std::size_t k = 0; k < expected.size(); ++k) {
-        if (expected[k].lux < 0.0) continue;
-        all.push_back(k);
-        sets[expected[k].set].push_back(k);
-    }
-    std::vector<SweepErrors> errors{errors_of("all", got, expected, all)};
-    if (sets.size() == 1) return errors;
-    for (const auto& [set, which] : sets) errors.push_back(errors_of(set, got, expected, which));
-    return errors;
+/// A run that others are compared with; what it did not finish in twice the time that was expected is
+/// given up.
+std::optional<SweepAnswer> Sweeping::compared_with(const Settings& fine, double share) {
+    const Deadline deadline(2.0 * share * wish_.budget, work_.stop);
+    SweepRun run(scene_, fine, true, sets_);
+    auto answer = run.with_bounces(fine.bounces, {work_.threads, deadline.token(), nullptr});
+    if (!answer) return std::nullopt;
+    const CalibrationSample sample = sample_of(expected_work(*scene_, fine), fine.method, answer->times);
+    known_.learn(sample);
+    sweep_.learned.push_back(sample);
+    tell();
+    return answer;
 }
 
-struct Timed {
-    SolutionSnapshot solution;
-    double milliseconds = 0.0;
-};
+std::string Sweeping::run_words(const Settings& settings, const SweepAnswer& answer) {
+    return fmt::format("{}, patches of {:.3g} m, {} unknowns", name_of(settings.method), settings.max_patch,
+                       answer.unknowns);
+}
+
+bool Sweeping::find_truth() {
+    if (wish_.expected) return take_expected();
+    constexpr double shares[] = {1.0 / 3.0, 1.0 / 6.0};
+    const auto within = [&](Method method, double share) {
+        return finest_within(*scene_, settings_, method, share * 1000.0 * wish_.budget, known_);
+    };
+    std::optional<SweepAnswer> fine, other;
+    auto settings = within(Method::linear, shares[0]);
+    if (settings) fine = compared_with(*settings, shares[0]);
+    auto other_settings = within(Method::patch, shares[1]);
+    std::string kind = "of another kind and width";
+    if (!fine && !work_.stop.stop_requested()) {
+        settings = within(Method::patch, shares[1]);
+        if (settings) fine = compared_with(*settings, shares[1]);
+        other_settings = settings;
+        if (other_settings) other_settings->max_patch *= 2.0;
+        kind = "with patches twice as wide";
+    }
+    if (fine && other_settings) other = compared_with(*other_settings, shares[1]);
+    if (!fine || !other) return false;
+    sweep_.against = fmt::format("the finest run ({})", run_words(*settings, *fine));
+    sweep_.uncertainty_words =
+        fmt::format("its difference from a run {} ({})", kind, run_words(*other_settings, *other));
+    truth_ = fine->values;
+    sweep_.uncertainty = errors_by_set(other->values, truth_).front();
+    sweep_.lumen = lumen_point(*fine->solution);
+    return true;
+}
 
 /// Short runs are repeated, so that what else the machine does hardly counts.
-Timed timed_run(const SceneSnapshot& scene, const Settings& settings, const Work& work) {
+std::optional<SweepAnswer> Sweeping::timed(const PlannedRun& planned, std::optional<SweepRun>& run) {
     constexpr int most_runs = 5;
-    constexpr double long_enough = 400.0;  // ms
-    Timed timed;
+    const double long_enough = std::clamp(1000.0 * wish_.budget / 300.0, 5.0, 400.0);  // ms
+    std::optional<SweepAnswer> best;
     double spent = 0.0;
     for (int k = 0; k < most_runs && spent < long_enough; ++k) {
-        Study study;  // a new one: nothing is reused
-        const auto begin = std::chrono::steady_clock::now();
-        timed.solution = study.run(scene, settings, StudyRequest{.mesh_error = false}, work);
-        if (!timed.solution) return timed;
-        const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-        timed.milliseconds = k == 0 ? ms : std::min(timed.milliseconds, ms);
-        spent += ms;
+        run.emplace(scene_, planned.settings, planned.shadows, sets_);  // a new one: nothing is reused
+        auto answer = run->with_bounces(planned.settings.bounces, work_);
+        if (!answer) return std::nullopt;
+        spent += answer->milliseconds;
+        if (!best || answer->milliseconds < best->milliseconds) best = std::move(answer);
     }
-    return timed;
+    return best;
 }
 
-/// The paper ends after a fixed number of interreflections; between close patches more would only grow.
-constexpr int bounces_of_the_paper = 10;
+void Sweeping::note(const PlannedRun& planned, const SweepAnswer& answer, int bounces, double ms) {
+    SweepPoint& point = sweep_.points.emplace_back();
+    point.settings = planned.settings;
+    point.settings.bounces = bounces;
+    point.shadows = planned.shadows;
+    point.complete = bounces == planned.settings.bounces;
+    point.marks = marks_of(planned, bounces, settings_);
+    point.unknowns = answer.unknowns;
+    point.milliseconds = ms;
+    point.predicted = planned.predicted;
+    point.errors = errors_by_set(answer.values, truth_);
+}
 
-/// Of a linear patch with its four unknowns, so that methods have about as many.
-double width_of(Method method, double width) { return method == Method::linear ? 2.0 * width : width; }
+void Sweeping::learn(const PlannedRun& planned, const SweepAnswer& answer) {
+    if (!planned.shadows) return;
+    CalibrationSample sample =
+        sample_of(expected_work(*scene_, planned.settings), planned.settings.method, answer.times);
+    const SweepErrors& error = sweep_.points.back().errors.front();
+    sample.error = std::max(error.p95, sweep_.uncertainty.p95);
+    known_.learn(sample);
+    sweep_.learned.push_back(sample);
+}
+
+void Sweeping::leave_out(const PlannedRun& planned, double ms) {
+    sweep_.left_out.push_back({planned.settings, planned.shadows, ms});
+}
+
+bool Sweeping::carry_out(const PlannedRun& planned) {
+    const double predicted = known_.predict(*scene_, planned.settings).ms;
+    if (predicted > left_ms()) {
+        leave_out(planned, predicted);
+        return true;
+    }
+    std::optional<SweepRun> run;
+    const auto whole = timed(planned, run);
+    if (!whole) return false;
+    note(planned, *whole, planned.settings.bounces, whole->milliseconds);
+    learn(planned, *whole);
+    for (const int bounces : planned.fewer) {
+        const auto answer = run->with_bounces(bounces, work_);
+        if (!answer) return false;
+        note(planned, *answer, bounces, whole->milliseconds - whole->balance_ms() + answer->balance_ms());
+    }
+    find_frontier();
+    tell();
+    return true;
+}
+
+void Sweeping::find_frontier() {
+    constexpr double alike = 0.04;  // of two times: what else the machine does
+    std::vector<CostAndError> ways;
+    for (SweepPoint& point : sweep_.points) {
+        point.on_frontier = false;
+        ways.push_back({point.milliseconds, point.errors.front().p95});
+    }
+    for (const std::size_t k : pareto_frontier(ways, sweep_.uncertainty.p95, alike))
+        sweep_.points[k].on_frontier = true;
+}
+
+Sweep Sweeping::run() {
+    if (progress_) progress_->enter(Stage::gathering);
+    sweep_.budget_s = wish_.budget;
+    sweep_.something_between = !obstacles_of(*scene_).empty();
+    const auto runs = planned_runs(*scene_, settings_, wish_.calibration, sweep_.something_between);
+    const bool has_truth = find_truth();
+    if (!has_truth)
+        for (const PlannedRun& planned : runs) leave_out(planned, planned.predicted.ms);
+    bool goes_on = has_truth;
+    for (auto planned = runs.begin(); goes_on && planned != runs.end(); ++planned) goes_on = carry_out(*planned);
+    sweep_.stopped = work_.stop.stop_requested();
+    tell();
+    return std::move(sweep_);
+}
 
 }  // namespace
 
-Sweep accuracy_sweep(const SceneSnapshot& scene, const Settings& settings, const SweepExpected* expected,
-                     const Work& work) {
-    constexpr double widths[] = {4.0, 2.0, 1.0, 0.5};  // times the patch width set
-    Sweep sweep;
-    std::vector<Compared> truth;
-    if (expected) {
-        sweep.against = expected->source;
-        for (std::size_t k = 0; k < expected->lux.size(); ++k) truth.push_back({expected->lux[k], expected->sets[k]});
-    } else {
-        Settings fine = settings;
-        fine.method = Method::linear;
-        fine.bounces = std::max(settings.bounces, 1000);
-        fine.accuracy = std::min(settings.accuracy, 1e-5);
-        fine.max_patch = widths[3] * settings.max_patch;
-        const auto finest = Study().run(scene, fine, StudyRequest{.mesh_error = false}, work);
-        if (!finest) return sweep;
-        sweep.against = fmt::format("the finest run (linear, patches of {:.3g} m)", fine.max_patch);
-        truth = values_of(*finest, nullptr);
-    }
-    for (const Method method : methods) {
-        for (const double width : widths) {
-            Settings run = settings;
-            run.method = method;
-            run.max_patch = width_of(method, width * settings.max_patch);
-            if (method == Method::paper) run.bounces = std::min(run.bounces, bounces_of_the_paper);
-            const Timed timed = timed_run(scene, run, work);
-            if (!timed.solution) return sweep;
-            const Mesh& mesh = *timed.solution->mesh;
-            SweepPoint& point = sweep.points.emplace_back();
-            point.method = method;
-            point.max_patch = run.max_patch;
-            point.unknowns = is_of_the_paper(method) ? mesh.vertices.size() : timed.solution->exitance.size();
-            point.milliseconds = timed.milliseconds;
-            point.errors = errors_by_set(values_of(*timed.solution, expected), truth);
-        }
-    }
-    return sweep;
+Sweep accuracy_sweep(const SceneSnapshot& scene, const Settings& settings, const SweepWish& wish, const Work& work) {
+    return Sweeping(scene, settings, wish, work).run();
 }
 
 }  // namespace hanei

@@ -166,14 +166,6 @@ TEST_F(CommandLine, every_start_room_passes_its_check) {
     }
 }
 
-TEST_F(CommandLine, study_writes_table_and_plot) {
-    const auto folder = scratch("sweep");
-    ASSERT_EQ(run({"study", rooms + "computer-room-panels.hanei", "--max-patch", "2", "--out", folder}), exit_done)
-        << err_;
-    EXPECT_NE(content(folder / "accuracy-time.csv").find("\npaper,"), std::string::npos);
-    EXPECT_NE(content(folder / "accuracy-time.svg").find("</svg>"), std::string::npos);
-}
-
 TEST_F(CommandLine, the_reference_cases_kept_with_the_project_pass) {
     EXPECT_EQ(run({"validate", HANEI_SOURCE "/assets/reference"}), exit_done) << out_ << err_;
     EXPECT_NE(out_.find("b. measured photometry"), std::string::npos);

@@ -2,7 +2,6 @@
 
 #include "engine/report/numbers.h"
 #include "engine/report/report_json.h"
-#include "engine/report/sweep_report.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -53,36 +52,6 @@ TEST(Report, json_holds_the_same_figures) {
     EXPECT_EQ(json["points"][0]["name"], "desk, left");
     EXPECT_EQ(json["points"][0]["total_lx"], 412.75);
     EXPECT_EQ(json["points"][0]["error_lx"]["total"], 2.75);
-}
-
-Sweep two_runs() {
-    const std::vector<SweepErrors> poor{{"all", 0.1, 0.2, 30.0}, {"floor, left", 0.1, 0.2, 0.3}};
-    const std::vector<SweepErrors> good{{"all", 0.01, 0.02, 0.03}, {"floor, left", 0.0, 0.0, 0.0}};
-    return {"the expected values of <S2>",
-            {{Method::paper, 0.5, 100, 12.0, poor}, {Method::patch, 0.5, 90, 14.0, good}}};
-}
-
-std::size_t count_of(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-    return count;
-}
-
-TEST(Report, a_sweep_is_one_line_a_run_and_set_of_points) {
-    const std::string csv = sweep_csv(two_runs());
-    EXPECT_EQ(count_of(csv, "\n"), 5U);
-    EXPECT_NE(csv.find("paper,0.5,100,12.00,all,10,20,3000\n"), std::string::npos);
-    EXPECT_NE(csv.find(",floor  left,"), std::string::npos) << "a comma in a name would begin a column";
-}
-
-TEST(Report, a_sweep_is_drawn_for_every_set_and_figure) {
-    const std::string svg = sweep_svg(two_runs(), "a < b");
-    EXPECT_NE(svg.find("a &lt; b"), std::string::npos);
-    EXPECT_NE(svg.find("against the expected values of &lt;S2>"), std::string::npos);
-    EXPECT_EQ(count_of(svg, "greatest error"), 2U);
-    EXPECT_EQ(count_of(svg, "<title>"), 9U);  // twelve figures, three of them 0: nothing to draw on decades
-    EXPECT_EQ(count_of(svg, "nan"), 0U);
-    EXPECT_EQ(count_of(sweep_svg({}, "nothing"), "nan"), 0U);
 }
 
 }  // namespace
