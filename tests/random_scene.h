@@ -40,8 +40,8 @@ private:
 /// Holds     the same scene for the same seed. Some 5 objects and 10 places of calculation.
 Scene random_scene(std::uint64_t seed);
 
-/// The same kind of scene, whose luminaires hang clear of walls, ceiling and furniture: all of their light
-/// gets into the room.
+/// The same kind of scene, whose luminaires hang clear of walls, ceiling and furniture, and rooms hold
+/// no sheets: all of their light falls on surfaces that count it, or gets out.
 Scene random_scene_of_free_luminaires(std::uint64_t seed);
 
 /// Settings for it, of any method; patches a third to a twelfth of the scene wide.
