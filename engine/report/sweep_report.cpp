@@ -114,7 +114,7 @@ std::string sweep_csv(const Sweep& sweep) {
         text += fmt::format("lumen,utilization factor,,,,,,,{:.3f},,,,mean of the working plane,{:.6g},,,{:.6g},,\n",
                             sweep.lumen.milliseconds, 100 * sweep.lumen.error(),
                             std::abs(sweep.lumen.predicted - sweep.lumen.solved));
-    for (const LeftOut& run : sweep.left_out)
+    for (const OmittedRun& run : sweep.left_out)
         text +=
             fmt::format("left out,{},,,,{:.2f},,,,,,,,,\n", run_fields(run.settings, run.shadows), run.predicted_ms);
     return text;
@@ -141,7 +141,7 @@ std::string sweep_text(const Sweep& sweep) {
     else
         text += fmt::format("Lumen method: none, for {}.\n", sweep.lumen.refusal);
     std::string left_out;
-    for (const LeftOut& run : sweep.left_out)
+    for (const OmittedRun& run : sweep.left_out)
         left_out += fmt::format("{}{} {:.2g} m{} ({})", left_out.empty() ? "" : ", ", name_of(run.settings.method),
                                 run.settings.max_patch, run.shadows ? "" : " without shadows between surfaces",
                                 time_text(run.predicted_ms));

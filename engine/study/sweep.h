@@ -38,7 +38,7 @@ struct SweepPoint {
 };
 
 /// A run that would have taken too long.
-struct LeftOut {
+struct OmittedRun {
     Settings settings;
     bool shadows = true;
     double predicted_ms = 0.0;
@@ -49,7 +49,7 @@ struct Sweep {
     std::string uncertainty_words{};  ///< where its own uncertainty comes from, in words
     SweepErrors uncertainty{};        ///< of what errors are errors of: smaller errors mean nothing
     std::vector<SweepPoint> points{};
-    std::vector<LeftOut> left_out{};
+    std::vector<OmittedRun> left_out{};
     LumenPoint lumen{};
     bool something_between = true;  ///< else shadows between surfaces make no difference, and are not tried
     double budget_s = 0.0, spent_s = 0.0;

@@ -90,7 +90,7 @@ TEST(Sweep, leaves_out_what_is_predicted_to_go_beyond_the_budget) {
     const Sweep sweep = accuracy_sweep(scene, quick(), wish, {});
     EXPECT_TRUE(sweep.points.empty());
     EXPECT_EQ(sweep.left_out.size(), planned_runs(*scene, quick(), {}, sweep.something_between).size());
-    for (const LeftOut& run : sweep.left_out) EXPECT_GT(run.predicted_ms, 0.0);
+    for (const OmittedRun& run : sweep.left_out) EXPECT_GT(run.predicted_ms, 0.0);
 }
 
 TEST(Sweep, stops_when_asked_and_says_so) {
