@@ -1,5 +1,6 @@
 #include "app/desktop.h"
 
+#include "app/built_in_cases.h"
 #include "app/clipboard.h"
 #include "app/exit_code.h"
 #include "app/files.h"
@@ -8,6 +9,7 @@
 #include "engine/edit/edit.h"
 #include "engine/project/gltf_import.h"
 #include "engine/project/luminaires.h"
+#include "engine/project/measured_file.h"
 #include "engine/project/project_file.h"
 #include "engine/project/text_file.h"
 #include "ui/window/script.h"
@@ -132,6 +134,16 @@ ProjectDoor project_door() {
     door.read_model = model_of;
     door.export_model = export_model;
     door.examples = examples;
+    door.validate = [](const Work& work, const std::function<void(const ValidationRow&)>& told) {
+        const BuiltInCases cases = built_in_cases();
+        if (has_errors(cases.findings)) throw std::runtime_error(to_text(cases.findings.front()));
+        return validate(
+            cases, [](Settings&) {}, work, [&](const CaseVerdict&, const ValidationRow& row) { told(row); });
+    };
+    door.read_measured = [](const std::filesystem::path& file) {
+        MeasuredRead read = read_measured(file);
+        return Opened<MeasuredValues>{std::move(read.values), std::move(read.findings)};
+    };
     return door;
 }
 

@@ -157,8 +157,10 @@ enum class CommandId {
     show_difference,
     draw_profile,
     show_histogram,
+    compare_measured,
     command_search,
     show_keys,
+    show_validation,
     show_about,
 };
 

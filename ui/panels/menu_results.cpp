@@ -52,6 +52,12 @@ constexpr std::array table{
             "Histogram",
             "How much of the chosen grid, or of all surfaces, has how much light",
             {}},
+    Command{compare_measured,
+            "results.measured",
+            "Results",
+            "Compare with measured values...",
+            "Set a table of a meter or another program (CSV) beside the values of the room as it is",
+            {}},
 };
 
 }  // namespace
@@ -68,6 +74,8 @@ bool Workbench::can_results(CommandId id) const {
         case CommandId::keep_a:
         case CommandId::keep_b:
             return study_.answer() != nullptr;
+        case CommandId::compare_measured:
+            return study_.answer() != nullptr && door_.read_measured;
         case CommandId::show_a:
         case CommandId::show_difference:
             return readings_.snapshots.a().has_value();
@@ -119,6 +127,8 @@ void Workbench::do_results(CommandId id) {
         case CommandId::draw_profile:
             readings_.front_tab = "Profile";
             return viewport_.take_up(std::make_unique<ProfileTool>(readings_.profile));
+        case CommandId::compare_measured:
+            return compare_measured();
         case CommandId::show_histogram:
             readings_.front_tab = "Histogram";
             return;

@@ -1,9 +1,11 @@
 /// The window's way to the disk. Panels know no file formats: the program hands them these.
 #pragma once
 
+#include "engine/scene/measured_values.h"
 #include "ui/panels/model_content.h"
 #include "ui/panels/project_content.h"
 #include "ui/panels/user_door.h"
+#include "ui/panels/validation_dialog.h"
 #include "ui/view/view_options.h"
 
 #include <filesystem>
@@ -34,6 +36,8 @@ struct ProjectDoor {
                                             const std::stop_token&)>
         export_model = {};
     std::function<std::vector<std::filesystem::path>()> examples = {};  ///< projects to begin with
+    RunValidation validate = {};                                        ///< by the cases that come with the program
+    std::function<Opened<MeasuredValues>(const std::filesystem::path&)> read_measured = {};  ///< of others (CSV)
 };
 
 }  // namespace hanei

@@ -1,6 +1,7 @@
 #include "ui/panels/workbench.h"
 
 #include "engine/edit/edit.h"
+#include "ui/panels/checks.h"
 #include "ui/panels/style.h"
 #include "ui/panels/units.h"
 #include "ui/panels/window_layout.h"
@@ -30,6 +31,7 @@ Workbench::Workbench(ProjectContent content, std::filesystem::path file, Project
       autosave_(door_.user.recovery, wake) {
     read_preferences();
     offer_recovery();
+    checks_ = std::make_shared<Checks>(wake, how.patience);
     readings_.wake = std::move(wake);
     viewport_.state.options.pins = true;
     overlays_ = {&furnishing_, &readings_.labels, &readings_.why, &readings_.snapshots, &readings_.profile};
@@ -115,6 +117,7 @@ void Workbench::draw(const ViewPainter& paint) {
     dialogs_.draw(widgets_);
     browser_.draw(widgets_);
     preferences_dialog_.draw(preferences_, form_);
+    checks_->draw(widgets_);
     start_wish(start_page_.draw(preferences_.shows_start_page, widgets_));
     draw_export();
     follow_recovery();

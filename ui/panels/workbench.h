@@ -41,6 +41,8 @@ namespace hanei {
 
 struct WindowLayout;
 
+struct Checks;
+
 /// Needs     a present ImGui context with style::apply() called; one thread. Pictures are exported
 ///           by after_frame(), which needs an OpenGL context.
 class Workbench {
@@ -86,6 +88,7 @@ public:
     const Preferences& preferences() const { return preferences_; }
     const Messages& messages() const { return messages_; }
     const RecoveryDialog& recovery() const { return recovery_; }
+    const Checks& checks() const { return *checks_; }
     bool is_busy() const;                                       ///< something goes on whose progress is shown
     bool reads_or_writes() const { return file_work_.busy(); }  ///< a file, beside the frames
     const StartPage& start_page() const { return start_page_; }
@@ -186,6 +189,7 @@ private:
     void take_model(ModelImport::Taken taken);
     void start_with_model(ModelImport::Taken taken);
     void export_model();
+    void compare_measured();
 
     /// Luminaire files on their way into the scene.
     struct Arrival {
@@ -269,6 +273,7 @@ private:
     SolutionSnapshot recorded_solution_;
     TimeLeft study_left_;
     RecoveryDialog recovery_;
+    std::shared_ptr<Checks> checks_;
     FileStamp stamp_;  ///< of the project's file, as it was read or written here
     Autosave autosave_;
 };

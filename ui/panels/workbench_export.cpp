@@ -1,6 +1,7 @@
 #include "engine/base/stoppable.h"
 #include "engine/base/whole_file.h"
 #include "engine/report/report.h"
+#include "ui/panels/checks.h"
 #include "ui/panels/language.h"
 #include "ui/panels/workbench.h"
 #include "ui/view/picture_text.h"
@@ -181,7 +182,8 @@ void Workbench::save_exact() {
 }
 
 bool Workbench::is_busy() const {
-    return study_.busy() || exact_.busy() || file_work_.busy() || export_.busy() || recording_.is_writing();
+    return study_.busy() || exact_.busy() || file_work_.busy() || export_.busy() || recording_.is_writing() ||
+           checks_->validation.busy();
 }
 
 std::optional<Task> Workbench::running_task() {

@@ -1,3 +1,4 @@
+#include "ui/panels/checks.h"
 #include "ui/panels/workbench.h"
 
 #include <imgui.h>
@@ -23,7 +24,7 @@ void Workbench::keep_preferences() {
 bool Workbench::is_asking() const {
     return dialogs_.kind() != Dialogs::Kind::none || browser_.is_open() || preferences_dialog_.is_open() ||
            recovery_.is_open() || furnishing_.is_asking() || export_dialog_.is_open() || model_import_.is_open() ||
-           start_layout_.is_open() || start_page_.is_open();
+           start_layout_.is_open() || start_page_.is_open() || checks_->is_open();
 }
 
 }  // namespace hanei
