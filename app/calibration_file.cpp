@@ -123,6 +123,14 @@ std::optional<Diagnostic> write_calibration(const Calibration& calibration, cons
     return write_text_file(file, calibration_text(calibration));
 }
 
+std::optional<Diagnostic> add_learned(const std::vector<CalibrationSample>& learned,
+                                      const std::filesystem::path& file) {
+    if (learned.empty()) return std::nullopt;
+    Calibration calibration = read_calibration(file).calibration;
+    for (const CalibrationSample& sample : learned) calibration.learn(sample);
+    return write_calibration(calibration, file);
+}
+
 std::filesystem::path calibration_path() {
     const auto folders = user_folders(std::nullopt);
     return folders ? folders->calibration : std::filesystem::path();
@@ -138,10 +146,8 @@ Calibration known_calibration() {
 
 void keep_learned(const std::vector<CalibrationSample>& learned) {
     const std::filesystem::path file = calibration_path();
-    if (file.empty() || learned.empty()) return;
-    Calibration calibration = read_calibration(file).calibration;
-    for (const CalibrationSample& sample : learned) calibration.learn(sample);
-    if (const auto fault = write_calibration(calibration, file)) print_findings({*fault});
+    if (file.empty()) return;
+    if (const auto fault = add_learned(learned, file)) print_findings({*fault});
 }
 
 }  // namespace hanei

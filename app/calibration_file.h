@@ -28,6 +28,9 @@ std::string calibration_text(const Calibration& calibration);
 /// Makes the folder when it is not there; the file is written whole or not at all.
 std::optional<Diagnostic> write_calibration(const Calibration& calibration, const std::filesystem::path& file);
 
+/// Adds what was learned to the file, as it is by now. A disk that refuses is told and fails nothing.
+std::optional<Diagnostic> add_learned(const std::vector<CalibrationSample>& learned, const std::filesystem::path& file);
+
 /// Of the user: below XDG_STATE_HOME, else HOME; empty when there is none.
 std::filesystem::path calibration_path();
 

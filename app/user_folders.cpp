@@ -1,5 +1,6 @@
 #include "app/user_folders.h"
 
+#include "app/calibration_file.h"
 #include "app/preferences_file.h"
 #include "app/recovery_folder.h"
 
@@ -34,6 +35,10 @@ UserDoor user_door(const UserFolders& folders) {
         return write_preferences(preferences, file);
     };
     door.recovery = recovery_door(folders.recovery);
+    door.open_calibration = [file = folders.calibration] { return read_calibration(file).calibration; };
+    door.keep_learned = [file = folders.calibration](const std::vector<CalibrationSample>& learned) {
+        add_learned(learned, file);
+    };
     return door;
 }
 

@@ -36,7 +36,9 @@ public:
 private:
     bool find_truth();
     bool take_expected();
-    std::optional<SweepAnswer> compared_with(const Settings& fine, double share);
+    bool warm_up();
+    std::optional<Settings> finest(Method method, double share) const;
+    std::optional<SweepAnswer> compared_with(const Settings& fine, double most_seconds);
     static std::string run_words(const Settings& settings, const SweepAnswer& answer);
     bool carry_out(const PlannedRun& planned);
     std::optional<SweepAnswer> timed(const PlannedRun& planned, std::optional<SweepRun>& run);
@@ -52,9 +54,10 @@ private:
     SceneSnapshot scene_;
     Settings settings_;
     const SweepWish& wish_;
-    Work work_;           ///< of the runs: without progress, which each would begin anew
-    Progress* progress_;  ///< of all of them
-    Calibration known_;   ///< with what the runs so far taught
+    Work work_;              ///< of the runs: without progress, which each would begin anew
+    Progress* progress_;     ///< of all of them
+    Calibration known_;      ///< with what the runs so far taught
+    double slowness_ = 1.0;  ///< of this room on this machine, over what was expected
     std::vector<std::string> sets_;
     std::vector<ComparedValue> truth_;
     Sweep sweep_;
@@ -81,10 +84,31 @@ bool Sweeping::take_expected() {
     return true;
 }
 
-/// A run that others are compared with; what it did not finish in twice the time that was expected is
-/// given up.
-std::optional<SweepAnswer> Sweeping::compared_with(const Settings& fine, double share) {
-    const Deadline deadline(2.0 * share * wish_.budget, work_.stop);
+/// A coarse run tells what this room takes on this machine as busy as it is.
+bool Sweeping::warm_up() {
+    Settings coarse = settings_;
+    coarse.method = Method::patch;
+    coarse.bounces = all_bounces(Method::patch);
+    coarse.max_patch = 2.0 * settings_.max_patch;
+    const double expected = known_.predict(*scene_, coarse).ms;
+    const auto answer = compared_with(coarse, wish_.budget);
+    if (answer && expected > 0.0) slowness_ = std::clamp(answer->milliseconds / expected, 1.0, 20.0);
+    return answer.has_value();
+}
+
+/// That takes no more than this share of the budget; of a method that was never studied here it is
+/// taken to be as much slower than elsewhere as the coarse run was.
+std::optional<Settings> Sweeping::finest(Method method, double share) const {
+    Settings of_method = settings_;
+    of_method.method = method;
+    const bool was_studied = known_.predict(*scene_, of_method).same_room;
+    const double ms = share * 1000.0 * wish_.budget / (was_studied ? 1.0 : slowness_);
+    return finest_within(*scene_, settings_, method, ms, known_);
+}
+
+/// A run that others are compared with; given up when it takes longer than that.
+std::optional<SweepAnswer> Sweeping::compared_with(const Settings& fine, double most_seconds) {
+    const Deadline deadline(most_seconds, work_.stop);
     SweepRun run(scene_, fine, true, sets_);
     auto answer = run.with_bounces(fine.bounces, {work_.threads, deadline.token(), nullptr});
     if (!answer) return std::nullopt;
@@ -103,22 +127,20 @@ std::string Sweeping::run_words(const Settings& settings, const SweepAnswer& ans
 bool Sweeping::find_truth() {
     if (wish_.expected) return take_expected();
     constexpr double shares[] = {1.0 / 3.0, 1.0 / 6.0};
-    const auto within = [&](Method method, double share) {
-        return finest_within(*scene_, settings_, method, share * 1000.0 * wish_.budget, known_);
-    };
+    if (!warm_up()) return false;
     std::optional<SweepAnswer> fine, other;
-    auto settings = within(Method::linear, shares[0]);
-    if (settings) fine = compared_with(*settings, shares[0]);
-    auto other_settings = within(Method::patch, shares[1]);
+    auto settings = finest(Method::linear, shares[0]);
+    if (settings) fine = compared_with(*settings, 1.5 * shares[0] * wish_.budget);
+    auto other_settings = finest(Method::patch, shares[1]);
     std::string kind = "of another kind and width";
     if (!fine && !work_.stop.stop_requested()) {
-        settings = within(Method::patch, shares[1]);
-        if (settings) fine = compared_with(*settings, shares[1]);
+        settings = finest(Method::patch, shares[1]);
+        if (settings) fine = compared_with(*settings, wish_.budget);
         other_settings = settings;
         if (other_settings) other_settings->max_patch *= 2.0;
         kind = "with patches twice as wide";
     }
-    if (fine && other_settings) other = compared_with(*other_settings, shares[1]);
+    if (fine && other_settings) other = compared_with(*other_settings, wish_.budget);
     if (!fine || !other) return false;
     sweep_.against = fmt::format("the finest run ({})", run_words(*settings, *fine));
     sweep_.uncertainty_words =

@@ -158,6 +158,7 @@ enum class CommandId {
     draw_profile,
     show_histogram,
     compare_measured,
+    study_accuracy,
     command_search,
     show_keys,
     show_validation,

@@ -58,6 +58,12 @@ constexpr std::array table{
             "Compare with measured values...",
             "Set a table of a meter or another program (CSV) beside the values of the room as it is",
             {}},
+    Command{study_accuracy,
+            "results.study",
+            "Results",
+            "Accuracy against time",
+            "How exact each method is on this room and how long it takes; a click on a point uses it",
+            {}},
 };
 
 }  // namespace
@@ -131,6 +137,9 @@ void Workbench::do_results(CommandId id) {
             return compare_measured();
         case CommandId::show_histogram:
             readings_.front_tab = "Histogram";
+            return;
+        case CommandId::study_accuracy:
+            readings_.front_tab = "Study";
             return;
         default:
             return;

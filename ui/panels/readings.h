@@ -5,8 +5,10 @@
 #include "ui/panels/compare_panel.h"
 #include "ui/panels/histogram_panel.h"
 #include "ui/panels/label_layer.h"
+#include "ui/panels/preset_rows.h"
 #include "ui/panels/profile_panel.h"
 #include "ui/panels/project_scale.h"
+#include "ui/panels/study_panel.h"
 #include "ui/panels/why_panel.h"
 
 #include <functional>
@@ -23,6 +25,8 @@ struct Readings {
     Snapshots snapshots;
     ProfilePanel profile;
     HistogramPanel histogram;
+    StudyPanel study;
+    PresetRows presets;
     std::function<void()> wake{};  ///< wants another frame
     std::string front_tab{};       ///< of the bottom panel, to come to the front in this frame; empty: stay
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/base/diagnostic.h"
+#include "engine/study/calibration.h"
 #include "ui/panels/preferences.h"
 #include "ui/panels/recovery_door.h"
 
@@ -20,6 +21,9 @@ struct UserDoor {
     std::function<Opened()> open_preferences;
     std::function<std::optional<Diagnostic>(const Preferences&)> save_preferences;
     RecoveryDoor recovery = {};
+    /// What studies taught about this machine.
+    std::function<Calibration()> open_calibration = {};
+    std::function<void(const std::vector<CalibrationSample>&)> keep_learned = {};
 };
 
 }  // namespace hanei

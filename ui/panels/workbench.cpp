@@ -32,6 +32,7 @@ Workbench::Workbench(ProjectContent content, std::filesystem::path file, Project
     read_preferences();
     offer_recovery();
     checks_ = std::make_shared<Checks>(wake, how.patience);
+    readings_.study.connect(door_.user, wake);
     readings_.wake = std::move(wake);
     viewport_.state.options.pins = true;
     overlays_ = {&furnishing_, &readings_.labels, &readings_.why, &readings_.snapshots, &readings_.profile};

@@ -183,7 +183,7 @@ void Workbench::save_exact() {
 
 bool Workbench::is_busy() const {
     return study_.busy() || exact_.busy() || file_work_.busy() || export_.busy() || recording_.is_writing() ||
-           checks_->validation.busy();
+           checks_->validation.busy() || readings_.study.busy();
 }
 
 std::optional<Task> Workbench::running_task() {
@@ -198,6 +198,11 @@ std::optional<Task> Workbench::running_task() {
         return Task{
             "recording", say("Recording, {} pictures", recording_.taken()), 0.0F, {}, [this] { toggle_recording(); }};
     if (recording_.is_writing()) return recording_.task();
+    if (readings_.study.busy()) {
+        Task task = readings_.study.task();
+        if (how_.repeatable) task.left.clear();
+        return task;
+    }
     if (!study_.is_cancellable()) return std::nullopt;
     const float fraction = study_.progress().fraction();
     const Stage stage = study_.progress().stage();

@@ -11,11 +11,14 @@ namespace hanei {
 namespace {
 
 // What their fields and figures need, at scale 1.
-constexpr float compare_width = 680.0F, profile_width = 560.0F, histogram_width = 520.0F;
+constexpr float compare_width = 680.0F, profile_width = 560.0F, histogram_width = 520.0F, study_width = 640.0F;
 
 }  // namespace
 
-void Workbench::follow_readings() { readings_.why.follow(*document_.shown(), selection_.primary(), study_); }
+void Workbench::follow_readings() {
+    readings_.why.follow(*document_.shown(), selection_.primary(), study_);
+    readings_.study.follow();
+}
 
 /// Tabs of the bottom panel that read the light.
 void Workbench::readings_tabs() {
@@ -41,6 +44,15 @@ void Workbench::readings_tabs() {
         begin_wide("histogram", histogram_width);
         readings_.histogram.table(study_.answer(), selection_.primary(), viewport_.state.options, widgets_);
         end_wide();
+        ImGui::EndTabItem();
+    }
+    if (begin_tab("Study", widgets_, 0, front == "Study")) {
+        begin_wide("study", study_width);
+        const StudyPanel::Outcome outcome =
+            readings_.study.table(document_.shown(), document_.settings(), !how_.repeatable, widgets_);
+        end_wide();
+        if (outcome.starts) readings_.study.start(document_.shown(), document_.settings());
+        if (outcome.use) document_.set_settings(*outcome.use);
         ImGui::EndTabItem();
     }
 }

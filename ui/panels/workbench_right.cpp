@@ -103,7 +103,15 @@ void Workbench::right(const ScreenRect& area) {
         if (begin_tab("Calculation", widgets_)) {
             ImGui::BeginChild("settings");
             ImGui::Dummy({0.0F, 2.0F * style::scale()});
+            form_.begin("presets");
+            if (const auto wished = readings_.presets.draw(document_.shown(), document_.settings(),
+                                                           readings_.study.calibration(), form_)) {
+                document_.set_settings(*wished);
+                gesture_item_ = form_.finished() ? 0 : ImGui::GetCurrentContext()->ActiveId;
+            }
+            form_.end();
             form_.begin("settings");
+            form_.heading("By hand");
             if (const auto wished = settings_panel(document_.settings(), form_)) {
                 document_.set_settings(*wished);
                 gesture_item_ = form_.finished() ? 0 : ImGui::GetCurrentContext()->ActiveId;

@@ -52,7 +52,7 @@ TEST(Sweep, tells_errors_times_and_the_uncertainty_of_what_they_are_against) {
     std::stop_source stop;
     int told = 0;
     wish.on_way = [&](const Sweep&) {
-        if (++told == 9) stop.request_stop();  // the two runs that errors are against, and seven more
+        if (++told == 10) stop.request_stop();  // a coarse one, the two that errors are against, seven more
     };
     const Sweep sweep = accuracy_sweep(scene, quick(), wish, {1, stop.get_token(), nullptr});
     EXPECT_TRUE(sweep.stopped);
