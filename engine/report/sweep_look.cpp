@@ -73,12 +73,14 @@ std::vector<double> LogAxis::marks() const {
 }
 
 SweepRange range_of(const Sweep& sweep) {
-    constexpr double highest = 1000.0, least_of_all = 1e-3;  // percent
+    constexpr double highest = 1000.0;  // percent
+    // Far below what the reference is sure of, differences are no errors.
+    const double least = std::max(1e-3, 100.0 * sweep.uncertainty.p95 / 5.0);
     SweepRange range{1e30, 0.0, 1e30, 0.0};
     const auto take = [&](double share) {
         const double percent = 100.0 * share;
         if (!(percent > 0.0)) return;
-        range.least = std::min(range.least, std::max(least_of_all, percent));
+        range.least = std::min(range.least, std::max(least, percent));
         range.greatest = std::max(range.greatest, std::min(highest, percent));
     };
     for (const SweepPoint& point : sweep.points) {

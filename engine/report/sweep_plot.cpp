@@ -117,7 +117,8 @@ std::string frontier_line(const Sweep& sweep, const Panel& panel) {
     std::string path;
     double last = 0.0;
     for (const SweepPoint* point : frontier_of(sweep)) {
-        const double x = panel.x.at(point->milliseconds), y = panel.y.at(100.0 * point->errors.front().p95);
+        const double x = panel.x.at(point->milliseconds),
+                     y = panel.y.at(100.0 * std::max(point->errors.front().p95, sweep.uncertainty.p95));
         path += path.empty() ? fmt::format("M{:.1f},{:.1f} ", x, y)
                              : fmt::format("L{:.1f},{:.1f} L{:.1f},{:.1f} ", x, last, x, y);
         last = y;

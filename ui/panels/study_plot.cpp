@@ -52,7 +52,7 @@ void draw_marker(const SweepPoint& point, ImVec2 at) {
 void draw_frontier(const Sweep& sweep, const Mapping& mapping) {
     std::vector<ImVec2> steps;
     for (const SweepPoint* point : frontier_of(sweep)) {
-        const ImVec2 at = mapping.at(*point);
+        const ImVec2 at = mapping.at(point->milliseconds, std::max(point->errors.front().p95, sweep.uncertainty.p95));
         if (!steps.empty()) steps.push_back({at.x, steps.back().y});
         steps.push_back(at);
     }
