@@ -31,6 +31,8 @@ public:
         for (const Method method : methods) names.emplace_back(name_of(method));
         command.add_option("--method", method_, "Method of interreflection")->check(CLI::IsMember(names));
         std::apply([&](const auto&... option) { (add(command, option), ...); }, options);
+        add_choice(command, "always", EffectChoice::always, "Simulate this effect however little it may add: ");
+        add_choice(command, "never", EffectChoice::never, "Skip this effect however much it may add: ");
     }
 
     SettingsChange change() const {
@@ -56,6 +58,26 @@ private:
                 },
                 help)
             ->check(CLI::Range(option.low, option.high));
+    }
+
+    void add_choice(CLI::App& command, const std::string& name, EffectChoice choice, std::string help) {
+        std::vector<std::string> names;
+        for (const EffectOption& option : effect_options) {
+            help.append(names.empty() ? "" : ", ").append(option.name);
+            names.emplace_back(option.name);
+        }
+        command
+            .add_option_function<std::vector<std::string>>(
+                "--" + name,
+                [this, choice](const std::vector<std::string>& chosen) {
+                    for (const std::string& effect : chosen)
+                        given_["effect " + effect] = [choice, effect](Settings& settings) {
+                            for (const EffectOption& option : effect_options)
+                                if (option.name == effect) settings.*option.member = choice;
+                        };
+                },
+                help)
+            ->check(CLI::IsMember(names));
     }
 
     std::string method_;

@@ -27,8 +27,8 @@ bool on_edge(const Polygon& loop, const Vec3& place, double same_place) {
 
 class MeshBuilder {
 public:
-    MeshBuilder(const Scene& scene, double max_patch, Grading grading)
-        : contacts_(scene), max_patch_(max_patch), grading_(grading) {}
+    MeshBuilder(const Scene& scene, double max_patch, Grading grading, std::span<const ObjectId> black)
+        : contacts_(scene), max_patch_(max_patch), grading_(grading), black_(black) {}
 
     Mesh build() {
         for (std::size_t f = 0; f < contacts_.faces().size(); ++f) add_face(f);
@@ -45,7 +45,9 @@ private:
         PlaceIndex places(4.0 * contacts_.same_place());  // a cut corner may be off by the cut's own tolerance
         const std::vector<Crease> creases = contacts_.creases_of(f);
         const double thickness = contacts_.same_place();
-        for (const Cell& cell : cells_of(face.face, covers, creases, max_patch_, grading_, thickness)) {
+        const bool is_black = std::find(black_.begin(), black_.end(), face.face.ref.object) != black_.end();
+        const double width = is_black ? wider_when_black * max_patch_ : max_patch_;
+        for (const Cell& cell : cells_of(face.face, covers, creases, width, grading_, thickness)) {
             if (auto patch = patch_of(face, cell.outline, places, contacts_.same_place())) {
                 patch->face = static_cast<std::uint32_t>(mesh_.faces.size());
                 patch->material = cell.material;
@@ -76,13 +78,15 @@ private:
     Contacts contacts_;
     double max_patch_;
     Grading grading_;
+    std::span<const ObjectId> black_;
     Mesh mesh_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Mesh> make_mesh(const Scene& scene, double max_patch, Grading grading) {
-    return std::make_shared<const Mesh>(MeshBuilder(scene, max_patch, grading).build());
+std::shared_ptr<const Mesh> make_mesh(const Scene& scene, double max_patch, Grading grading,
+                                      std::span<const ObjectId> black) {
+    return std::make_shared<const Mesh>(MeshBuilder(scene, max_patch, grading, black).build());
 }
 
 }  // namespace hanei

@@ -86,8 +86,13 @@ enum class Grading : std::uint8_t {
     crowded   ///< as many, but crowding towards the face's borders, where interreflected light bends most
 };
 
-/// Meshes every face. `max_patch` is the wished patch width in metres; of a crowded grid the mean.
-std::shared_ptr<const Mesh> make_mesh(const Scene& scene, double max_patch, Grading grading = Grading::uniform);
+/// How many times wider the patches of surfaces that pass no light on may be.
+inline constexpr double wider_when_black = 4.0;
+
+/// Meshes every face. `max_patch` is the wished patch width in metres; of a crowded grid the mean. Of the
+/// objects named `black` it is wider_when_black times that.
+std::shared_ptr<const Mesh> make_mesh(const Scene& scene, double max_patch, Grading grading = Grading::uniform,
+                                      std::span<const ObjectId> black = {});
 
 /// The scene's shadow casters: furniture parts as convex solids (several where a part is not convex; by
 /// their faces where it cannot be cut into such), free surfaces and opaque openings as flat

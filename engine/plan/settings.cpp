@@ -24,6 +24,25 @@ std::optional<Method> method_named(std::string_view name) {
     return *found;
 }
 
+std::string_view name_of(EffectChoice choice) {
+    switch (choice) {
+        case EffectChoice::by_bound:
+            return "by-bound";
+        case EffectChoice::always:
+            return "always";
+        case EffectChoice::never:
+            return "never";
+    }
+    return "";
+}
+
+std::optional<EffectChoice> effect_choice_named(std::string_view name) {
+    const auto found = std::find_if(effect_choices.begin(), effect_choices.end(),
+                                    [&](EffectChoice each) { return name_of(each) == name; });
+    if (found == effect_choices.end()) return std::nullopt;
+    return *found;
+}
+
 bool is_of_the_paper(Method method) { return method == Method::paper || method == Method::paper_closed; }
 
 }  // namespace hanei

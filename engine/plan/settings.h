@@ -25,6 +25,18 @@ std::optional<Method> method_named(std::string_view name);
 /// Unknowns at grid points, as in the paper.
 bool is_of_the_paper(Method method);
 
+/// Who decides whether an effect is simulated.
+enum class EffectChoice {
+    by_bound,  ///< the plan: skipped while the bounds of all that is skipped stay within the tolerance
+    always,    ///< the user: simulated however little it may add
+    never,     ///< the user: skipped however much; its bound is in every error bar
+};
+
+inline constexpr std::array effect_choices{EffectChoice::by_bound, EffectChoice::always, EffectChoice::never};
+
+std::string_view name_of(EffectChoice choice);  ///< "by-bound", "always", "never"
+std::optional<EffectChoice> effect_choice_named(std::string_view name);
+
 struct Settings {
     Method method = Method::patch;
     double max_patch = 0.5;      ///< m, wished patch width (the paper's W)
@@ -33,6 +45,9 @@ struct Settings {
     double tolerance_lux = 0.0;  ///< lx, effects may be skipped while their bounds sum to less
     int threads = 0;             ///< 0: all of the machine's
     int memory_mb = 1024;        ///< form factors past this go to a file and are read back row by row
+    EffectChoice interreflection = EffectChoice::by_bound;
+    EffectChoice furniture = EffectChoice::by_bound;  ///< as a reflector, every piece by itself
+    EffectChoice colour = EffectChoice::by_bound;     ///< three bands where one might do
     bool operator==(const Settings&) const = default;
 };
 
@@ -60,6 +75,19 @@ inline constexpr std::tuple options{
     Option<int>{"memory", "MB", "Form factors that need more memory than this are read from disk", &Settings::memory_mb,
                 16, 1'000'000},
     Option<int>{"threads", "", "Threads to compute with; 0 takes all", &Settings::threads, 0, 1024},
+};
+
+/// An effect that may be skipped, as every door names it.
+struct EffectOption {
+    std::string_view name;
+    std::string_view help;
+    EffectChoice Settings::*member;
+};
+
+inline constexpr std::array effect_options{
+    EffectOption{"interreflection", "Light that surfaces pass on to each other", &Settings::interreflection},
+    EffectOption{"furniture", "Light that furniture reflects", &Settings::furniture},
+    EffectOption{"colour", "Light in three bands of colour, where one might do", &Settings::colour},
 };
 
 }  // namespace hanei

@@ -47,6 +47,19 @@ void take_method(Fields& fields, Settings& settings) {
     fields.error("method", "found " + json_quoted(name) + ", expected one of " + known);
 }
 
+void take_choice(Fields& fields, const EffectOption& option, Settings& settings) {
+    const std::string field(option.name);
+    std::string name;
+    if (!fields.optional(field, name)) return;
+    if (const auto choice = effect_choice_named(name)) {
+        settings.*option.member = *choice;
+        return;
+    }
+    std::string known;
+    for (const EffectChoice each : effect_choices) known += (known.empty() ? "" : ", ") + json_quoted(name_of(each));
+    fields.error(field, "found " + json_quoted(name) + ", expected one of " + known);
+}
+
 }  // namespace
 
 void read_settings(Settings& settings, Fields& root, JsonValue& kept) {
@@ -55,6 +68,7 @@ void read_settings(Settings& settings, Fields& root, JsonValue& kept) {
     Fields fields(root.reading(), *value, "settings");
     take_method(fields, settings);
     for_each_option([&](const auto& option) { take_option(fields, option, settings); });
+    for (const EffectOption& option : effect_options) take_choice(fields, option, settings);
     keep_unknown(fields, "settings", kept);
 }
 

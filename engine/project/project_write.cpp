@@ -153,6 +153,9 @@ JsonValue json_of(const Settings& settings) {
         object.add(field_of(option),
                    option.scale == 1.0 ? json_number(value) : json_scaled(value, {1.0L, option.scale}));
     });
+    for (const EffectOption& option : effect_options)
+        if (settings.*option.member != EffectChoice::by_bound)
+            object.add(std::string(option.name), json_text(std::string(name_of(settings.*option.member))));
     return object;
 }
 

@@ -139,15 +139,23 @@ std::string values_csv(const Solution& solution) {
     return text;
 }
 
+/// A bound that was not asked for is none.
+static std::string bound_figure(double lux) { return lux < 0.0 ? std::string("-") : fmt::format("{:.3g}", lux); }
+
 std::string plan_text(const EffectsPlan& plan) {
     std::string text =
         fmt::format("{:<26} {:<12} {:>12} {:>12}  {}\n", "effect", "state", "bound lx", "cost ms", "why");
     for (const PlannedEffect& effect : plan.effects) {
         const double cost = effect.measured_ms >= 0.0 ? effect.measured_ms : effect.predicted_ms;
-        text += fmt::format("{:<26} {:<12} {:>12.3g} {:>11.1f}{}  {}\n", name_of(effect.effect), name_of(effect.state),
-                            effect.bound_lux, cost, effect.measured_ms >= 0.0 ? " " : "~", effect.why);
+        text += fmt::format("{:<26} {:<12} {:>12} {:>11.1f}{}  {}\n", name_of(effect.effect), name_of(effect.state),
+                            bound_figure(effect.bound_lux), cost, effect.measured_ms >= 0.0 ? " " : "~", effect.why);
     }
-    text += fmt::format("skipped effects leave out at most {:.3g} lx at any point\n", plan.skipped_bound_lux());
+    for (const PlannedPiece& piece : plan.row(Effect::furniture).pieces)
+        text += fmt::format("  {:<24} {:<12} {:>12} {:>11.1f}~  reflectance {:.2g}, {:.3g} m2\n", piece.name,
+                            name_of(piece.state), bound_figure(piece.bound_lux), piece.predicted_ms, piece.reflectance,
+                            piece.area);
+    text +=
+        fmt::format("skipped effects leave out at most {:.3g} lx {}\n", plan.skipped_lux, "at any calculation point");
     return text;
 }
 

@@ -49,6 +49,15 @@ Json to_json(const EffectsPlan& plan) {
                  {"predicted_ms", effect.predicted_ms}};
         if (effect.measured_ms >= 0.0) row["measured_ms"] = effect.measured_ms;
         if (effect.count > 0) row["count"] = effect.count;
+        if (!effect.bound_at_points.empty()) row["bound_at_points_lx"] = effect.bound_at_points;
+        for (const PlannedPiece& piece : effect.pieces)
+            row["pieces"].push_back({{"object", piece.object.value},
+                                     {"name", piece.name},
+                                     {"state", name_of(piece.state)},
+                                     {"bound_lx", piece.bound_lux},
+                                     {"reflectance", piece.reflectance},
+                                     {"area_m2", piece.area},
+                                     {"predicted_ms", piece.predicted_ms}});
         rows.push_back(std::move(row));
     }
     return rows;

@@ -108,7 +108,7 @@ bool divide_by_bounce(Contributions& made, const Level& level, const LevelAnswer
     const std::size_t count = std::min(told_reflections + 1, limit);
     std::vector<double> by_reflections(count + 1, 0.0);
     for (const MixPart& part : answer.parts) {
-        const auto exitances = level.reflections(part, *input.scene, count, work);
+        const auto exitances = level.reflections(part, input, count, work);
         if (!exitances) return false;
         const auto lux = gathering.from(*exitances);
         if (!lux) return false;

@@ -22,7 +22,7 @@ LightOfSurfaces light_at_vertices(const Level& level, const LevelAnswer& answer)
 }
 
 std::optional<FirstPicture::Made> FirstPicture::make(const LevelInput& input, const Work& work, StageClock& clock) {
-    level_.cut(*input.scene, wide * input.settings->max_patch, input.settings->method);
+    level_.cut(*input.scene, wide * input.settings->max_patch, input.settings->method, input.plan->black);
     const auto answer = level_.solve(input, work, clock);
     if (!answer) return std::nullopt;
     clock.enter(Stage::refining);

@@ -66,11 +66,11 @@ std::vector<double> spread(const Mesh& mesh, const Nodes& nodes, Value&& value) 
 
 }  // namespace
 
-Level::Cut Level::cut(const Scene& scene, double max_patch, Method method) {
-    const MeshKey key{surfaces_of(scene), max_patch, method};
+Level::Cut Level::cut(const Scene& scene, double max_patch, Method method, std::span<const ObjectId> black) {
+    const MeshKey key{surfaces_of(scene), max_patch, method, {black.begin(), black.end()}};
     const auto* mesh = meshes_.get(key, [&] {
         return std::optional(
-            make_mesh(scene, max_patch, method == Method::linear ? Grading::crowded : Grading::uniform));
+            make_mesh(scene, max_patch, method == Method::linear ? Grading::crowded : Grading::uniform, black));
     });
     return cut(*mesh, method);
 }
@@ -176,18 +176,27 @@ LightReceivers Level::receivers_at_vertices(const LevelInput& input, const Work&
     return receivers;
 }
 
-std::vector<double> Level::reflectances(const Scene& scene, int band) const {
+std::vector<double> Level::reflectances(const Scene& scene, const EffectsPlan& plan, int band) const {
+    const bool one_band = !plan.simulates(Effect::three_bands);
     std::map<ObjectId, double> by_material;
-    for (const Material& material : scene.materials)
-        by_material.emplace(material.id, band_reflectances(material)[static_cast<std::size_t>(band)]);
-    const auto of = [&](ObjectId material) {
-        const auto found = by_material.find(material);
+    for (const Material& material : scene.materials) {
+        const auto [red, green, blue] = band_reflectances(material);
+        const Vec3 bands{red, green, blue};
+        // one band stands for a coloured material by its luminance; of a neutral one all three are equal to the bit
+        by_material.emplace(material.id, one_band && bands != Vec3{red} ? luminance(bands) : bands[band]);
+    }
+    std::vector<bool> black;
+    for (const MeshFace& face : cut_.mesh->faces)
+        black.push_back(std::find(plan.black.begin(), plan.black.end(), face.face.ref.object) != plan.black.end());
+    const auto of = [&](const auto& element) {
+        if (black[element.face]) return 0.0;
+        const auto found = by_material.find(element.material);
         return found == by_material.end() ? 0.0 : found->second;
     };
     if (!of_the_paper_)
-        return spread(*cut_.mesh, *cut_.nodes, [&](std::size_t p) { return of(cut_.mesh->patches[p].material); });
+        return spread(*cut_.mesh, *cut_.nodes, [&](std::size_t p) { return of(cut_.mesh->patches[p]); });
     std::vector<double> values;
-    for (const Vertex& vertex : cut_.mesh->vertices) values.push_back(of(vertex.material));
+    for (const Vertex& vertex : cut_.mesh->vertices) values.push_back(of(vertex));
     return values;
 }
 
@@ -213,8 +222,9 @@ struct MemberColours {
     std::vector<Vec3> of;  ///< one a member
     bool one = true;       ///< all alike
 
-    MemberColours(const LightGroup& group, const Scene& scene) {
-        for (const LightGroup::Member& member : group.members) of.push_back(band_output(*member.luminaire, scene));
+    MemberColours(const LightGroup& group, const Scene& scene, bool one_band) {
+        for (const LightGroup::Member& member : group.members)
+            of.push_back(one_band ? Vec3{1.0} : band_output(*member.luminaire, scene));
         one = !of.empty() && std::all_of(of.begin(), of.end(), [&](const Vec3& each) { return each == of.front(); });
     }
 };
@@ -225,11 +235,11 @@ struct MemberColours {
 std::optional<std::vector<SideInput>> Level::side_inputs(const LevelInput& input, const Work& work) {
     const LightReceivers receivers =
         of_the_paper_ ? receivers_at_vertices(input, work) : receivers_at_nodes(input, work);
-    const int bands = is_neutral(*input.scene) ? 1 : colour_bands;
+    const int bands = input.plan->simulates(Effect::three_bands) ? colour_bands : 1;
     const std::vector<double> own = own_exitances();
     const bool shines = std::any_of(own.begin(), own.end(), [](double exitance) { return exitance > 0.0; });
     std::vector<std::vector<double>> reflecting;
-    for (int band = 0; band < bands; ++band) reflecting.push_back(reflectances(*input.scene, band));
+    for (int band = 0; band < bands; ++band) reflecting.push_back(reflectances(*input.scene, *input.plan, band));
 
     direct_.start();
     std::vector<SideInput> inputs;
@@ -242,7 +252,7 @@ std::optional<std::vector<SideInput>> Level::side_inputs(const LevelInput& input
             side.direct.push_back(direct_.of(*input.scene, *member.luminaire, receivers, input.occluders));
             if (!side.direct.back()) return std::nullopt;
         }
-        const MemberColours colours(group, *input.scene);
+        const MemberColours colours(group, *input.scene, bands == 1);
         for (int band = 0; band < bands; ++band) {
             SideInput& made = inputs.emplace_back(side);
             made.name = {surfaces ? ObjectId{} : group.members.front().luminaire->id, band};
@@ -395,14 +405,15 @@ std::optional<LevelAnswer> Level::solve(const LevelInput& input, const Work& wor
     return answer;
 }
 
-std::optional<FluxAccount> Level::flux(const LevelAnswer& answer, const Scene& scene, const Work& work) {
+std::optional<FluxAccount> Level::flux(const LevelAnswer& answer, const Scene& scene, const EffectsPlan& plan,
+                                       const Work& work) {
     FluxAccount total;
     if (answer.parts.empty()) return total;
     const std::vector<double>* const sums = row_sums_.get(rows_.version(), [&] { return rows_.now()->row_sums(work); });
     if (!sums) return std::nullopt;
     const std::vector<double> areas = unknown_areas(), own = own_exitances(), none(areas.size(), 0.0);
     for (const MixPart& part : answer.parts) {
-        const std::vector<double> reflecting = reflectances(scene, part.band);
+        const std::vector<double> reflecting = reflectances(scene, plan, part.band);
         const FluxAccount account = account_of(
             {areas, reflecting, part.of_surfaces ? own : none, part.light->direct, part.light->interreflected, *sums});
         const double share = part.level * part.band_weight;

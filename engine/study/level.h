@@ -46,8 +46,9 @@ public:
         std::shared_ptr<const Mesh> mesh;
         std::shared_ptr<const Nodes> nodes;  ///< that light is gathered from; of the paper's methods one a patch
     };
-    /// Cuts the scene into patches of this width; the same objects while nothing that shapes them changes.
-    Cut cut(const Scene& scene, double max_patch, Method method);
+    /// Cuts the scene into patches of this width, wider ones on furniture that the plan takes as black; the same
+    /// objects while nothing that shapes them changes.
+    Cut cut(const Scene& scene, double max_patch, Method method, std::span<const ObjectId> black);
     Cut cut(std::shared_ptr<const Mesh> mesh, Method method);  ///< a mesh made elsewhere
 
     /// `on_way` sees direct light with an ambient estimate of the rest before interreflection is computed.
@@ -56,7 +57,8 @@ public:
                                      const std::function<void(const LevelAnswer&)>& on_way = nullptr);
 
     /// Where the light of an answer with interreflection goes; empty when stopped.
-    std::optional<FluxAccount> flux(const LevelAnswer& answer, const Scene& scene, const Work& work);
+    std::optional<FluxAccount> flux(const LevelAnswer& answer, const Scene& scene, const EffectsPlan& plan,
+                                    const Work& work);
 
     /// Light from this level's surfaces at other places, kept as long as it is the same. `slot` numbers
     /// the set of receivers (0: calculation points, 1: vertices).
@@ -80,7 +82,7 @@ public:
     /// gathered from: what the part emits or what of its direct light is reflected, then what of that is
     /// reflected again, and so on. All of them together are the part's exitance.
     /// Returns   empty when stopped.
-    std::optional<std::vector<std::vector<double>>> reflections(const MixPart& part, const Scene& scene,
+    std::optional<std::vector<std::vector<double>>> reflections(const MixPart& part, const LevelInput& input,
                                                                 std::size_t count, const Work& work) const;
 
     const Cut& now() const { return cut_; }
@@ -90,6 +92,7 @@ private:
         Scene surfaces;  ///< with the opaque luminaires, which cover what they lie on
         double max_patch = 0.0;
         Method method = Method::patch;
+        std::vector<ObjectId> black = {};
         bool operator==(const MeshKey&) const = default;
     };
 
@@ -99,7 +102,7 @@ private:
                                                         const LevelInput& input, const Work& work) const;
     std::optional<std::vector<double>> means_of_quarters(const Emitter& emitter, std::span<const std::uint32_t> which,
                                                          const LevelInput& input, const Work& work) const;
-    std::vector<double> reflectances(const Scene& scene, int band) const;
+    std::vector<double> reflectances(const Scene& scene, const EffectsPlan& plan, int band) const;
     std::vector<double> own_exitances() const;
     std::vector<double> unknown_areas() const;
     std::optional<std::vector<SideInput>> side_inputs(const LevelInput& input, const Work& work);

@@ -12,9 +12,9 @@ std::optional<StoredRows> Level::rows_to(std::span<const Receiver> receivers, co
     return make_rows(rows, work);
 }
 
-std::optional<std::vector<std::vector<double>>> Level::reflections(const MixPart& part, const Scene& scene,
+std::optional<std::vector<std::vector<double>>> Level::reflections(const MixPart& part, const LevelInput& input,
                                                                    std::size_t count, const Work& work) const {
-    const std::vector<double> reflecting = reflectances(scene, part.band);
+    const std::vector<double> reflecting = reflectances(*input.scene, *input.plan, part.band);
     std::vector<double> leaving = part.of_surfaces ? own_exitances() : std::vector<double>(reflecting.size(), 0.0);
     for (std::size_t k = 0; k < leaving.size(); ++k) leaving[k] += reflecting[k] * part.light->direct[k];
     std::vector<std::vector<double>> all;

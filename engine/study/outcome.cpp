@@ -38,7 +38,7 @@ void take_answer(Solution& solution, const Level& level, const LevelAnswer& answ
     solution.closure = answer.greatest_gain;
     solution.reflected_error = closure_error(solution);
     const PatchLight light{solution.patch_direct, solution.patch_interreflected};
-    solution.face_means = face_means(*solution.mesh, light, solution.plan.skipped_bound_lux());
+    solution.face_means = face_means(*solution.mesh, light, solution.plan.skipped_anywhere_lux);
     solution.refusal = answer.refusal;
     solution.iteration_bound = 0.0;
     for (const double half_width : solution.exitance_half_width)

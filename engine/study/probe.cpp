@@ -61,7 +61,7 @@ PointValue value_at(const Solution& solution, const Vec3& position, const Vec3& 
     }
     parts.typical_mesh_error = solution.typical_mesh_error;
     parts.reflected_error = solution.reflected_error;
-    parts.skipped = solution.plan.skipped_bound_lux();
+    parts.skipped = solution.plan.skipped_at(position, glm::normalize(normal));
     return value_from(parts);
 }
 

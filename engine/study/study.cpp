@@ -199,7 +199,8 @@ void Study::Stages::prepare(Run& run) {
     run.solution->settings = run.settings;
     run.settings.max_patch = run.solution->patch_width = computable_width(*run.scene, run.settings);
     note_width(*run.solution);
-    run.solution->plan = plan_effects(*run.scene, run.settings);
+    run.solution->plan =
+        plan_effects(*run.scene, run.settings, run.request.live ? PlanDetail::decisions : PlanDetail::bounds);
     const double dim = dim_illuminance(*run.scene);
     const auto accuracy = [&](double share) { return accuracy_of_each(share, dim, run.scene->luminaires.size()); };
     run.at_points = accuracy(share_at_points(run.settings));
@@ -211,7 +212,8 @@ void Study::Stages::prepare(Run& run) {
     run.solution->occluders = occluders;
     newest = &fine;
     rougher = is_refined(*run.solution, run.request) ? &fine : &coarse;
-    run.solution->mesh = fine.cut(*run.scene, run.settings.max_patch, run.settings.method).mesh;
+    run.solution->mesh =
+        fine.cut(*run.scene, run.settings.max_patch, run.settings.method, run.solution->plan.black).mesh;
     CalculationPlaces places = places_of(*run.scene);
     refresh(points, receivers_at(places, *run.solution->mesh), std::equal_to{});
     refresh(vertices, vertex_receivers(*run.solution->mesh), std::equal_to{});
@@ -250,7 +252,7 @@ std::optional<std::vector<double>> Study::Stages::direct_at_points(Run& run) {
 
 bool Study::Stages::energy(Run& run, const LevelAnswer& answer) {
     run.clock.enter(Stage::gathering);
-    const auto account = newest->flux(answer, *run.scene, run.work);
+    const auto account = newest->flux(answer, *run.scene, run.solution->plan, run.work);
     if (!account) return false;
     // The luminaires' bodies as one receiver of two figures: what a luminaire gives, and what of it they take.
     const std::shared_ptr<const OccluderSet> in_the_way = run.fine_input().occluders;
@@ -328,11 +330,10 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
     }
     CalculationPlaces places{std::move(solution.points), std::move(solution.grids)};
     std::size_t k = 0;
-    const double skipped = solution.plan.skipped_bound_lux();
     places.for_each([&](PointResult& point) {
-        point.value =
-            value_from({(*direct)[2 * k], gathered.interreflected[k], gathered.iteration[k], coarse_values[k],
-                        solution.typical_mesh_error, solution.reflected_error, skipped, (*direct)[2 * k + 1]});
+        point.value = value_from({(*direct)[2 * k], gathered.interreflected[k], gathered.iteration[k], coarse_values[k],
+                                  solution.typical_mesh_error, solution.reflected_error,
+                                  solution.plan.skipped_at(point.position, point.normal), (*direct)[2 * k + 1]});
         if (run.request.live && !rough) point.value.error.mesh = typical_mesh_error;
         if (is_covered(*solution.occluders, point.position, point.normal)) {
             point.value = PointValue{};
@@ -347,7 +348,7 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
 
 std::optional<LevelAnswer> Study::Stages::solve_coarse(Run& run) {
     LevelInput input = run.fine_input();
-    coarse.cut(*run.scene, coarse_ratio * run.settings.max_patch, run.settings.method);
+    coarse.cut(*run.scene, coarse_ratio * run.settings.max_patch, run.settings.method, run.solution->plan.black);
     auto answer = coarse.solve(input, run.work, run.clock);
     if (!answer) return std::nullopt;
     run.solution->coarse_mesh = coarse.now().mesh;

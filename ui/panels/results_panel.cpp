@@ -10,6 +10,8 @@
 #include "ui/panels/probe.h"
 #include "ui/panels/style.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -141,27 +143,119 @@ std::optional<ObjectId> results_table(const Solution& solution, ObjectId selecte
     return clicked;
 }
 
-void effects_table(const EffectsPlan& plan, bool measured) {
+namespace {
+
+std::string bound_figure(double lux) {
+    return lux < 0.0 ? std::string("–") : std::isfinite(lux) ? illuminance_figure(lux) : std::string(tr("none"));
+}
+
+/// Where among the calculation points most is left out.
+void tell_where(const PlannedEffect& row) {
+    if (row.bound_at_points.empty() || !ImGui::IsItemHovered()) return;
+    const auto most = std::max_element(row.bound_at_points.begin(), row.bound_at_points.end());
+    double sum = 0.0;
+    for (const double lux : row.bound_at_points) sum += lux;
+    ImGui::SetTooltip(
+        "%s", say("Most at calculation point {}: {} {}; {} in the mean",
+                  std::to_string(most - row.bound_at_points.begin() + 1), illuminance_figure(*most),
+                  illuminance_unit_name(), illuminance_figure(sum / static_cast<double>(row.bound_at_points.size())))
+                  .c_str());
+}
+
+/// Who decides: the plan, or the user.
+void choice_cell(Effect effect, Settings& settings, WidgetRegistry& widgets) {
+    ImGui::TableNextColumn();
+    const EffectOption* const option = option_of(effect);
+    if (option == nullptr) return;
+    constexpr const char* names[] = {"By its bound", "Always", "Never"};
+    EffectChoice& choice = settings.*option->member;
+    const std::string widget = "effects." + std::string(option->name);
+    ImGui::SetNextItemWidth(-1.0F);
+    if (ImGui::BeginCombo(("###" + widget).c_str(), tr(names[static_cast<std::size_t>(choice)]))) {
+        for (const EffectChoice each : effect_choices) {
+            const char* const name = names[static_cast<std::size_t>(each)];
+            if (ImGui::Selectable(tr(name), each == choice)) choice = each;
+            widgets.note(widget + "." + std::string(name_of(each)));
+        }
+        ImGui::EndCombo();
+    } else {
+        tooltip(
+            "By its bound: skipped while all that is skipped adds no more than the tolerance (Calculation). "
+            "Never: skipped however much it may add, and that is in every error bar");
+    }
+    widgets.note(widget);
+}
+
+/// Pieces of furniture, the dimmest first.
+std::optional<ObjectId> piece_rows(const PlannedEffect& row, bool measured, WidgetRegistry& widgets) {
+    std::optional<ObjectId> clicked;
+    std::vector<const PlannedPiece*> pieces;
+    for (const PlannedPiece& piece : row.pieces) pieces.push_back(&piece);
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const PlannedPiece* a, const PlannedPiece* b) { return a->bound_lux < b->bound_lux; });
+    for (const PlannedPiece* piece : pieces) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushID(static_cast<int>(piece->object.value));
+        ImGui::Indent();
+        if (ImGui::Selectable("###piece", false)) clicked = piece->object;
+        widgets.note("effects.piece." + piece->name);
+        ImGui::SameLine(0.0F, 0.0F);
+        elided_text(piece->name, 0.0F, Elide::middle);
+        ImGui::Unindent();
+        ImGui::PopID();
+        state_cell(piece->state);
+        cell(bound_figure(piece->bound_lux));
+        cell(measured ? "≈ " + milliseconds(piece->predicted_ms) : "–");
+        ImGui::TableNextColumn();
+        cell(say("Reflectance {} on {} m²: what the paper decides by", short_figure(piece->reflectance),
+                 short_figure(piece->area)),
+             style::quiet_text);
+    }
+    return clicked;
+}
+
+}  // namespace
+
+EffectsWish effects_table(const EffectsPlan& plan, const Settings& settings, bool measured, WidgetRegistry& widgets) {
     constexpr Column columns[] = {
         {"Effect", 2.0F, "What light does that may be simulated"},
         {"State", 1.1F, "Skipped effects are bounded, and counted in every error bar"},
-        {"Bound  lx", 1.0F, "What skipping leaves out at any point at most"},
+        {"Bound  lx", 1.0F, "What skipping leaves out, or would, at any calculation point at most"},
         {"Cost", 0.9F, "Predicted, or measured once it ran"},
+        {"Choice", 1.2F, "Who decides: the plan by its bounds, or you"},
         {"Why", 5.0F, ""},
     };
-    if (!ImGui::BeginTable("effects", 5, table_look)) return;
+    EffectsWish wish;
+    if (!ImGui::BeginTable("effects", 6, table_look)) return wish;
     header(columns);
+    Settings wished = settings;
     for (const PlannedEffect& row : plan.effects) {
         ImGui::TableNextRow();
-        cell(std::string(tr(name_of(row.effect))));
+        ImGui::TableNextColumn();
+        bool open = false;
+        if (row.pieces.empty()) {
+            elided_text(std::string(tr(name_of(row.effect))));
+        } else {
+            open =
+                ImGui::TreeNodeEx("###pieces", ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth,
+                                  "%s", std::string(tr(name_of(row.effect))).c_str());
+            widgets.note("effects.pieces");
+        }
         state_cell(row.state);
-        cell(row.state == EffectState::skipped ? illuminance_figure(row.bound_lux) : "–");
+        cell(row.state == EffectState::not_present ? "–" : bound_figure(row.bound_lux));
+        tell_where(row);
         const bool ran = row.measured_ms >= 0.0;
         cell(!measured ? "–" : ran ? milliseconds(row.measured_ms) : "≈ " + milliseconds(row.predicted_ms));
+        choice_cell(row.effect, wished, widgets);
         ImGui::TableNextColumn();
         ImGui::TextWrapped("%s", row.why.c_str());
+        if (open)
+            if (const auto clicked = piece_rows(row, measured, widgets)) wish.clicked = clicked;
     }
     ImGui::EndTable();
+    if (wished != settings) wish.settings = wished;
+    return wish;
 }
 
 void energy_table(const Solution& solution, bool measured) {

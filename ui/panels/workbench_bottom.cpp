@@ -35,7 +35,11 @@ void Workbench::bottom(const ScreenRect& area) {
         readings_tabs();
         if (begin_tab("Effects", widgets_)) {
             begin_wide("effects", solution ? table_width : 0.0F);
-            if (solution) effects_table(solution->plan, measured);
+            if (solution) {
+                const EffectsWish wish = effects_table(solution->plan, document_.settings(), measured, widgets_);
+                if (wish.settings) document_.set_settings(*wish.settings);
+                if (wish.clicked) selection_.choose(*wish.clicked);
+            }
             end_wide();
             ImGui::EndTabItem();
         }

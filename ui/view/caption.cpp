@@ -31,7 +31,7 @@ bool reports_points(const Solution& solution) {
 std::string error_text(const Solution& solution) {
     std::string text = say("iteration ≤ {}", lux(solution.iteration_bound));
     if (reports_points(solution)) text += say(", points ± {} at most", lux(greatest_error(solution).total()));
-    const double skipped = solution.plan.effects.empty() ? 0.0 : solution.plan.skipped_bound_lux();
+    const double skipped = solution.plan.skipped_lux;
     if (skipped > 0.0) text += say(", left out ≤ {}", lux(skipped));
     return text;
 }
