@@ -103,8 +103,10 @@ DirectCeiling::DirectCeiling(const Scene& scene, const Luminaire& luminaire) {
     if (std::holds_alternative<PointOpening>(luminaire.opening)) {
         const auto* beam = std::get_if<CosinePower>(&luminaire.distribution);
         intensity_ = flux * (beam ? (beam->exponent + 1.0) / (2.0 * pi) : 0.25 / pi);
+        upward_ = beam ? 0.0 : intensity_;
+        axis_ = placement.direction({0.0, 0.0, -1.0});
     } else if (const auto* line = std::get_if<LineOpening>(&luminaire.opening)) {
-        intensity_ = flux / (pi * pi);
+        intensity_ = upward_ = flux / (pi * pi);
         shining_ = cell_around(std::vector{placement.point(line->from), placement.point(line->to)}, 0.0);
     } else if (const auto* flat = std::get_if<PolygonOpening>(&luminaire.opening)) {
         const double area = glm::length(vector_area(flat->region));

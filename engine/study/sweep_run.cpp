@@ -25,8 +25,8 @@ public:
         Solution solution;
         solution.scene = scene;
         solution.settings = settings;
-        solution.plan = plan_effects(*scene, settings);
-        solution.mesh = level_.cut(*scene, settings.max_patch, settings.method).mesh;
+        solution.plan = plan_effects(*scene, settings, PlanDetail::decisions);
+        solution.mesh = level_.cut(*scene, settings.max_patch, settings.method, solution.plan.black).mesh;
         if (!occluders_) occluders_ = std::make_shared<const OccluderSet>(occluders_of(*scene));
         CalculationPlaces places = places_of(*scene);
         if (!points_) points_ = std::make_shared<const std::vector<Receiver>>(receivers_at(places, *solution.mesh));

@@ -94,8 +94,12 @@ struct Worst {
 
     void see(double difference, double bound, double unknown, std::uint64_t of) {
         ++compared;
-        if (difference > bound + unknown) ++violations;
-        if (bound <= 0.0) return;
+        if (difference > bound + unknown) {
+            ++violations;
+            std::printf("room %llu: off by %g lx, bound %g lx, unknown %g lx\n", (unsigned long long)of, difference,
+                        bound, unknown);
+        }
+        if (bound <= unknown) return;  // too small to be told from rounding
         sum += difference / bound;
         if (difference / bound <= ratio) return;
         ratio = difference / bound;

@@ -80,7 +80,7 @@ TEST(Skipping, does_as_the_user_says) {
     EXPECT_GE(plan.skipped_anywhere_lux, plan.skipped_lux);
     const double there = plan.skipped_at({1.0, 1.0, 0.75}, {0.0, 0.0, 1.0});
     EXPECT_GT(there, 0.0);
-    EXPECT_LE(there, plan.skipped_lux + 1e-9);  // the one point there is; pieces together show no more than each
+    EXPECT_NEAR(there, plan.skipped_lux, 0.05 * plan.skipped_lux);  // pieces bounded together, or one by one
 }
 
 TEST(Skipping, a_bound_falls_with_the_distance_and_is_greatest_at_the_piece) {
