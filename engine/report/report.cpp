@@ -148,7 +148,8 @@ std::string plan_text(const EffectsPlan& plan) {
     for (const PlannedEffect& effect : plan.effects) {
         const double cost = effect.measured_ms >= 0.0 ? effect.measured_ms : effect.predicted_ms;
         text += fmt::format("{:<26} {:<12} {:>12} {:>11.1f}{}  {}\n", name_of(effect.effect), name_of(effect.state),
-                            bound_figure(effect.bound_lux), cost, effect.measured_ms >= 0.0 ? " " : "~", effect.why);
+                            effect.may_be_skipped || effect.bound_lux > 0.0 ? bound_figure(effect.bound_lux) : "-",
+                            cost, effect.measured_ms >= 0.0 ? " " : "~", effect.why);
     }
     for (const PlannedPiece& piece : plan.row(Effect::furniture).pieces)
         text += fmt::format("  {:<24} {:<12} {:>12} {:>11.1f}~  reflectance {:.2g}, {:.3g} m2\n", piece.name,

@@ -243,7 +243,7 @@ EffectsWish effects_table(const EffectsPlan& plan, const Settings& settings, boo
             widgets.note("effects.pieces");
         }
         state_cell(row.state);
-        cell(row.state == EffectState::not_present ? "–" : bound_figure(row.bound_lux));
+        cell(row.may_be_skipped || row.bound_lux > 0.0 ? bound_figure(row.bound_lux) : "–");
         tell_where(row);
         const bool ran = row.measured_ms >= 0.0;
         cell(!measured ? "–" : ran ? milliseconds(row.measured_ms) : "≈ " + milliseconds(row.predicted_ms));
