@@ -3,6 +3,7 @@
 #include "app/exit_code.h"
 #include "app/files.h"
 #include "engine/project/project_file.h"
+#include "engine/scene/hard_spots.h"
 #include "engine/study/study.h"
 
 #include <algorithm>
@@ -108,9 +109,14 @@ void judge_solution(const std::filesystem::path& folder, const HardCase& wanted,
 HardOutcome solve_hard_case(const std::filesystem::path& folder, const HardCase& wanted) {
     HardOutcome outcome;
     const ProjectRead read = read_project(folder / wanted.file);
-    for (const Diagnostic& finding : read.findings) outcome.findings.push_back(to_text(finding));
+    Diagnostics findings = read.findings;
+    if (read.project) {
+        const Diagnostics spots = hard_spots(read.project->scene);
+        findings.insert(findings.end(), spots.begin(), spots.end());
+    }
+    for (const Diagnostic& finding : findings) outcome.findings.push_back(finding.place.field + ": " + finding.message);
     for (const std::string& words : wanted.finds)
-        if (std::none_of(read.findings.begin(), read.findings.end(),
+        if (std::none_of(findings.begin(), findings.end(),
                          [&](const Diagnostic& finding) { return finding.message.find(words) != std::string::npos; }))
             outcome.faults.push_back("no finding says \"" + words + '"');
     if (read.project)

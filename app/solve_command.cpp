@@ -9,6 +9,7 @@
 #include "engine/report/report.h"
 #include "engine/report/report_json.h"
 #include "engine/report/sweep_report.h"
+#include "engine/scene/hard_spots.h"
 #include "engine/scene/scene_check.h"
 #include "engine/study/presets.h"
 #include "engine/study/study.h"
@@ -105,6 +106,8 @@ int check_command(const std::filesystem::path& project) {
     }
     print_findings(read.findings);
     if (!read.project) return exit_bad_input;
+    for (const Diagnostic& spot : hard_spots(read.project->scene))
+        std::printf("%s: %s: note: %s\n", project.c_str(), spot.place.field.c_str(), spot.message.c_str());
     if (read.findings.empty()) {
         std::printf("%s: nothing to complain about\n", project.c_str());
         return exit_done;

@@ -43,6 +43,15 @@ protected:
     fs::path folder;
 };
 
+TEST_F(TheStartPage, leads_to_the_folder_of_hard_cases) {
+    Driver driver(setup());
+    launch(driver);
+    EXPECT_DONE(driver.click("start.hard"));
+    driver.frames(3);
+    EXPECT_TRUE(driver.workbench().browser().is_open());
+    EXPECT_EQ(state(driver, "start page"), "false");
+}
+
 TEST_F(TheStartPage, opens_a_project_of_before_by_a_click) {
     Driver driver(setup());
     launch(driver);

@@ -90,6 +90,14 @@ std::vector<StartPage::Row> StartPage::rows_of(const std::vector<fs::path>& file
     return rows;
 }
 
+std::vector<StartPage::Row> StartPage::rows_of_gallery(const std::vector<std::filesystem::path>& examples) {
+    std::error_code none;
+    if (examples.empty()) return {};
+    const std::filesystem::path folder = examples.front().parent_path() / "hard";
+    if (!std::filesystem::is_directory(folder, none)) return {};
+    return {{Wish::gallery, folder, tr("Hard cases..."), tr("Small scenes that break lighting programs"), true}};
+}
+
 void StartPage::open(bool can_recover) {
     columns_[0] = {{Wish::new_room, {}, tr("New room..."), tr("A box, L, T or U of your sizes"), true},
                    {Wish::open, {}, tr("Open..."), tr("A project from the disk"), true}};
@@ -139,11 +147,10 @@ void StartPage::row(std::size_t which, std::size_t k, WidgetRegistry& widgets, O
                                           ImGuiSelectableFlags_DontClosePopups, {0.0F, height});
     ImGui::EndDisabled();
     if (focused && moved_) ImGui::SetScrollHereY();
-    const std::string name = row.wish == Wish::project || row.wish == Wish::example
-                                 ? row.file.stem().string()
-                                 : std::string(row.wish == Wish::new_room ? "new"
-                                               : row.wish == Wish::open   ? "open"
-                                                                          : "recover");
+    const std::string name = !row.file.empty() ? row.file.stem().string()
+                                               : std::string(row.wish == Wish::new_room ? "new"
+                                                             : row.wish == Wish::open   ? "open"
+                                                                                        : "recover");
     widgets.note("start." + name);
     if (row.wish == Wish::project)
         tooltip(row.possible ? row.file.string() : fmt::format(fmt::runtime(tr("{} is gone")), row.file.string()));

@@ -13,10 +13,10 @@ namespace hanei {
 /// Stands over the start room, which is computed and shown meanwhile; whoever closes it goes on with that.
 class StartPage {
 public:
-    enum class Wish { none, new_room, open, recover, project, example };
+    enum class Wish { none, new_room, open, recover, project, example, gallery };
     struct Outcome {
         Wish wish = Wish::none;
-        std::filesystem::path file{};  ///< of project and example
+        std::filesystem::path file{};  ///< of project and example; the folder of a gallery
     };
 
     /// Cost      a look at every file: wait for no sleeping disk with it, ask away from the frames.
@@ -29,6 +29,8 @@ public:
     static std::vector<Row> rows_of(const std::vector<std::filesystem::path>& files, Wish wish);
 
     void open(bool can_recover);
+    /// For the folder of hard cases beside the examples, when there is one.
+    static std::vector<Row> rows_of_gallery(const std::vector<std::filesystem::path>& examples);
     /// Projects or examples, as soon as they are looked at.
     void show(std::vector<Row> recent, std::vector<Row> examples);
     bool is_open() const { return open_ && !leaves_; }

@@ -16,8 +16,9 @@ void Workbench::open_start_page() {
     start_page_.open(static_cast<bool>(door_.user.recovery.lost));
     start_look_.start({}, [this, recent = preferences_.recent, examples = door_.examples](const Work&) {
         const auto recent_rows = StartPage::rows_of(recent, StartPage::Wish::project);
-        const auto example_rows =
-            StartPage::rows_of(examples ? examples() : std::vector<std::filesystem::path>(), StartPage::Wish::example);
+        const auto files = examples ? examples() : std::vector<std::filesystem::path>();
+        auto example_rows = StartPage::rows_of(files, StartPage::Wish::example);
+        for (StartPage::Row& row : StartPage::rows_of_gallery(files)) example_rows.push_back(std::move(row));
         return [this, recent_rows, example_rows] { start_page_.show(recent_rows, example_rows); };
     });
 }
@@ -37,6 +38,10 @@ void Workbench::start_wish(const StartPage::Outcome& outcome) {
             return guarded([this, file = outcome.file] { load(file); });
         case Wish::example:
             return guarded([this, file = outcome.file] { begin_from(file); });
+        case Wish::gallery:
+            return browser_.open(
+                {"Open a hard case", "Open", {".hanei"}, false, outcome.file, ""},
+                [this](const std::filesystem::path& file) { guarded([this, file] { begin_from(file); }); });
     }
 }
 
