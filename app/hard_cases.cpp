@@ -50,8 +50,8 @@ double lux_of(const PointValue& value, bool direct_only) {
     return direct_only ? value.direct.value : value.total().value;
 }
 
-void judge_figures(const HardCase& wanted, const Project& project, const Solution& solution, HardOutcome& outcome) {
-    const SolutionSnapshot naive = naive_solution(project, wanted.naive_by);
+void judge_figures(const HardCase& wanted, const Project& project, const Solution& solution,
+                   const SolutionSnapshot& naive, HardOutcome& outcome) {
     for (const HardFigure& figure : wanted.figures) {
         const auto place = place_of(project.scene, figure.point);
         if (!place) {
@@ -70,7 +70,8 @@ void judge_figures(const HardCase& wanted, const Project& project, const Solutio
 }
 
 /// Direct light to rounding of coordinates, all light within the error bars of both.
-void judge_likeness(const std::filesystem::path& other, const Solution& solution, HardOutcome& outcome) {
+void judge_likeness(const std::filesystem::path& other, const Solution& solution, const SolutionSnapshot& naive,
+                    HardOutcome& outcome) {
     constexpr double of_direct = 1e-9;
     const ProjectRead read = read_project(other);
     if (!read.project) return outcome.faults.push_back("cannot read " + other.string());
@@ -87,6 +88,7 @@ void judge_likeness(const std::filesystem::path& other, const Solution& solution
             outcome.faults.push_back(fmt::format("{}: {:.9g} lx, in {} {:.9g} lx", name, is.total().value,
                                                  other.filename().string(), wanted.expected));
         outcome.figures.push_back({std::move(wanted), is.total().value, is.error.total(), std::nullopt});
+        if (naive) outcome.figures.back().naive = naive->points[k].value.total().value;
     }
 }
 
@@ -97,8 +99,9 @@ void judge_solution(const std::filesystem::path& folder, const HardCase& wanted,
     if (wanted.refusal.empty() != solution->refusal.empty() ||
         solution->refusal.find(wanted.refusal) == std::string::npos)
         outcome.faults.push_back("the refusal is \"" + solution->refusal + '"');
-    judge_figures(wanted, project, *solution, outcome);
-    if (!wanted.same_as.empty()) judge_likeness(folder / wanted.same_as, *solution, outcome);
+    const SolutionSnapshot naive = naive_solution(project, wanted.naive_by);
+    judge_figures(wanted, project, *solution, naive, outcome);
+    if (!wanted.same_as.empty()) judge_likeness(folder / wanted.same_as, *solution, naive, outcome);
     if (wanted.escaped_lm && !(std::abs(solution->energy.escaped - *wanted.escaped_lm) <= wanted.escaped_tolerance))
         outcome.faults.push_back(fmt::format("{:.6g} lm escaped, expected are {:.6g} +- {:.2g} lm",
                                              solution->energy.escaped, *wanted.escaped_lm, wanted.escaped_tolerance));
@@ -140,16 +143,38 @@ std::string text_of(const HardCase& wanted, const HardOutcome& outcome) {
     return text;
 }
 
+std::string row_of(const HardCase& wanted, const HardOutcome& outcome) {
+    double off = 0.0, bar = 0.0;
+    std::optional<double> naive;
+    for (const HardOutcome::Figure& figure : outcome.figures) {
+        off = std::max(off, std::abs(figure.got - figure.wanted.expected));
+        bar = std::max(bar, figure.error_bar);
+        if (figure.naive) naive = std::max(naive.value_or(0.0), std::abs(*figure.naive - figure.wanted.expected));
+    }
+    std::string covers;
+    for (const std::string& kind : wanted.covers) covers += (covers.empty() ? "" : ", ") + kind;
+    const auto lux = [](double value) { return value == 0.0 ? std::string("0") : fmt::format("{:.1e}", value); };
+    const bool figures = !outcome.figures.empty();
+    const std::string how = !outcome.refusal.empty() ? "refused" : figures ? "right" : "told";
+    return fmt::format("{:<8} {:<36} {:>9} {:>9} {:>9}  {}\n", outcome.faults.empty() ? how : "WRONG", wanted.file,
+                       figures ? lux(off) : "-", figures ? lux(bar) : "-", naive ? lux(*naive) : "-", covers);
+}
+
 int check_hard_command() {
     Diagnostics findings;
     const std::vector<HardCase> cases = read_hard_cases(hard_folder(), findings);
     print_findings(findings);
     std::size_t right = 0;
+    std::string table = fmt::format("{:<8} {:<36} {:>9} {:>9} {:>9}  {}\n", "result", "file", "off by", "+- lx",
+                                    "naive", "what is hard");
     for (const HardCase& wanted : cases) {
         const HardOutcome outcome = solve_hard_case(hard_folder(), wanted);
         if (outcome.faults.empty()) ++right;
         std::printf("%s\n", text_of(wanted, outcome).c_str());
+        std::fflush(stdout);  // some take seconds
+        table += row_of(wanted, outcome);
     }
+    std::printf("%s\n", table.c_str());
     std::printf("%zu of %zu hard cases as they should be\n", right, cases.size());
     if (cases.empty() || has_errors(findings)) return exit_bad_input;
     return right == cases.size() ? exit_done : exit_answer_is_no;

@@ -22,10 +22,11 @@ struct HardFigure {
 /// One row of assets/rooms/hard/cases.json.
 struct HardCase {
     std::string file, title;
-    std::string why;       ///< it is hard
-    std::string right;     ///< the right answer, and where it follows from
-    std::string naive;     ///< what an obvious method does
-    std::string naive_by;  ///< how its figures are computed: "paper", "centre"; empty: those of the table
+    std::vector<std::string> covers;  ///< kinds of hard things, as "thin wall"; "P-B6": the reference case it repeats
+    std::string why;                  ///< it is hard
+    std::string right;                ///< the right answer, and where it follows from
+    std::string naive;                ///< what an obvious method does
+    std::string naive_by;             ///< how its figures are computed: "paper", "centre"; empty: those of the table
     std::vector<HardFigure> figures;
     std::vector<std::string> finds;  ///< words that the findings of the project must hold
     std::string refusal;             ///< words of the reason why interreflection has no answer; empty: it has one
@@ -58,6 +59,9 @@ HardOutcome solve_hard_case(const std::filesystem::path& folder, const HardCase&
 
 /// The case as a paragraph: why, what is right, what is naive, what came out.
 std::string text_of(const HardCase& wanted, const HardOutcome& outcome);
+
+/// One line a case: verdict, file, how far off at most, its error bar, how far off the naive method, what it covers.
+std::string row_of(const HardCase& wanted, const HardOutcome& outcome);
 
 /// `hanei check --hard`: all of them, on standard output. exit_answer_is_no when one is wrong.
 int check_hard_command();

@@ -33,6 +33,8 @@ HardCase case_of(const JsonValue& row) {
           std::pair{"naive_by", &HardCase::naive_by}, std::pair{"refusal", &HardCase::refusal},
           std::pair{"same_as", &HardCase::same_as}})
         read.*target = text_at(row, key);
+    if (const JsonValue* const covers = row.find("covers"))
+        for (const JsonValue& item : covers->items) read.covers.push_back(item.text);
     if (const JsonValue* const figures = row.find("figures"))
         for (const JsonValue& item : figures->items) read.figures.push_back(figure_of(item));
     if (const JsonValue* const finds = row.find("finds"))
@@ -59,8 +61,8 @@ std::vector<HardCase> read_hard_cases(const std::filesystem::path& folder, Diagn
     JsonReading reading{file.string(), {}};
     for (const JsonValue& row : rows->items) {
         HardCase read = case_of(row);
-        if (read.file.empty() || read.right.empty())
-            reading.error(row, "cases", "a case needs its file and what is right");
+        if (read.file.empty() || read.right.empty() || read.covers.empty())
+            reading.error(row, "cases", "a case needs its file, what is right and what it covers");
         else
             cases.push_back(std::move(read));
     }

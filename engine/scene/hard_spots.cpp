@@ -107,9 +107,10 @@ void look_at_opening(HardSpots& spots, std::size_t i, const Luminaire& luminaire
     const Plane plane{outline.front(), unit_normal(outline)};
     for (const CalculationPoint& point : spots.scene.points)
         if (std::abs(plane.height(point.position)) <= tolerance::touching * spots.size)
-            return about("the point \"" + point.name +
-                         "\" lies in its plane, where light jumps between all and nothing; it is told the side that is "
-                         "dark, 0 lx. Move the point off the plane if it should be lit");
+            return about(
+                "the point \"" + point.name +
+                "\" lies in its plane, where light jumps between all and nothing; it is told the limit from one "
+                "side. Move the point off the plane to choose the side");
 }
 
 /// How far the opening of a file reaches out of the room where its luminaire is inside.

@@ -39,7 +39,7 @@ TEST(HardGallery, comes_out_as_its_table_says_where_naive_methods_fail) {
         EXPECT_TRUE(stated == 0 || std::any_of(figures.begin(), figures.end(), is_off)) << wanted.file;
         naive += stated;
     }
-    EXPECT_GE(naive, 30);
+    EXPECT_GE(naive, 100);
 }
 
 TEST(HardGallery, says_of_every_case_why_it_is_hard_and_of_every_file_what_is_right) {
@@ -53,6 +53,80 @@ TEST(HardGallery, says_of_every_case_why_it_is_hard_and_of_every_file_what_is_ri
         const std::string name = entry.path().filename().string();
         EXPECT_TRUE(entry.path().extension() != ".hanei" || named.count(name) == 1) << name;
     }
+}
+
+/// What breaks lighting programs. Whoever takes a file away has to say here what covers its kind instead.
+TEST(HardGallery, covers_every_kind_of_hard_thing_that_is_known) {
+    const std::set<std::string> known{"thin wall",
+                                      "wall without thickness",
+                                      "coplanar faces",
+                                      "duplicate faces",
+                                      "touching boxes",
+                                      "two boxes that share an edge only",
+                                      "solids that share space",
+                                      "solid through a wall",
+                                      "luminaire flush with ceiling",
+                                      "luminaire above the ceiling",
+                                      "luminaire partly inside furniture",
+                                      "luminaire wholly inside furniture",
+                                      "luminaire behind a luminaire",
+                                      "luminaire with a hole",
+                                      "touching luminaires",
+                                      "zero-area light",
+                                      "zero-area face",
+                                      "sliver",
+                                      "corridor of 1 km by 1 mm",
+                                      "sharp corner",
+                                      "far from the origin",
+                                      "millimetre scale",
+                                      "kilometre scale",
+                                      "reflectance 1, closed",
+                                      "reflectance 1, open",
+                                      "reflectance 0.99",
+                                      "reflectance 0 everywhere",
+                                      "furnace",
+                                      "room that is not closed",
+                                      "reversed normals",
+                                      "not-a-number or infinity in the input",
+                                      "thin sticks",
+                                      "a thousand thin sticks",
+                                      "point on edge or vertex",
+                                      "point in the corner of three walls",
+                                      "point in the plane of a source",
+                                      "point close to a source",
+                                      "point inside a solid",
+                                      "grazing",
+                                      "source below the horizon in part",
+                                      "edge of a hard shadow",
+                                      "lamp on the line of an edge",
+                                      "concave plan",
+                                      "window flush with a corner",
+                                      "narrow beam",
+                                      "line source",
+                                      "polyhedral source",
+                                      "no light",
+                                      "gap between boxes"};
+    const std::set<std::string> of_reference{"P-B5",  "P-B6", "P-B7", "P-B8", "P-B9",
+                                             "P-B10", "P-C2", "P-D2", "P-E6", "P-E7"};
+    std::set<std::string> covered;
+    for (const HardCase& wanted : cases()) covered.insert(wanted.covers.begin(), wanted.covers.end());
+    for (const auto* list : {&known, &of_reference})
+        for (const std::string& kind : *list) EXPECT_EQ(covered.count(kind), 1U) << kind;
+}
+
+TEST(HardGallery, tells_a_case_in_one_line_of_its_table) {
+    HardCase wanted;
+    wanted.file = "thin.hanei";
+    wanted.covers = {"thin wall", "gap"};
+    HardOutcome outcome;
+    EXPECT_EQ(row_of(wanted, outcome).substr(0, 5), "told ");
+    outcome.figures = {{{"p", true, 2.0, 0.1}, 2.5, 0.25, 5.0}, {{"q", true, 1.0, 0.1}, 1.0, 0.0, std::nullopt}};
+    const std::string row = row_of(wanted, outcome);
+    EXPECT_EQ(row.substr(0, 6), "right ");
+    for (const char* part : {"thin.hanei", "5.0e-01", "2.5e-01", "3.0e+00", "thin wall, gap\n"})
+        EXPECT_NE(row.find(part), std::string::npos) << row;
+    outcome.faults = {"it is off"};
+    EXPECT_EQ(row_of(wanted, outcome).substr(0, 5), "WRONG");
 }
 
 TEST(HardGallery, every_project_can_be_looked_at_and_is_saved_as_the_same_text) {
