@@ -106,13 +106,12 @@ int check_command(const std::filesystem::path& project) {
     }
     print_findings(read.findings);
     if (!read.project) return exit_bad_input;
-    for (const Diagnostic& spot : hard_spots(read.project->scene))
+    Diagnostics all = hard_spots(read.project->scene);
+    for (const Diagnostic& spot : all)
         std::printf("%s: %s: note: %s\n", project.c_str(), spot.place.field.c_str(), spot.message.c_str());
-    if (read.findings.empty()) {
-        std::printf("%s: nothing to complain about\n", project.c_str());
-        return exit_done;
-    }
-    return exit_answer_is_no;
+    all.insert(all.end(), read.findings.begin(), read.findings.end());
+    std::printf("%s: %s\n", project.c_str(), verdict_of(all).c_str());
+    return read.findings.empty() ? exit_done : exit_answer_is_no;
 }
 
 }  // namespace hanei

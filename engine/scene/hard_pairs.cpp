@@ -65,12 +65,18 @@ void look_at_bodies(HardSpots& spots) {
         }
 }
 
+bool is_among(const Vec3& corner, const Polygon& others, double same_place) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const Vec3& other) { return glm::distance(corner, other) <= same_place; });
+}
+
+/// Each corner of either has one of the other: a sliver's corners may be near each other.
 bool same_outline(const Region& a, const Region& b, double same_place) {
-    if (a.outline.size() != b.outline.size()) return false;
-    return std::all_of(a.outline.begin(), a.outline.end(), [&](const Vec3& corner) {
-        return std::any_of(b.outline.begin(), b.outline.end(),
-                           [&](const Vec3& other) { return glm::distance(corner, other) <= same_place; });
-    });
+    const auto all_among = [&](const Polygon& these, const Polygon& those) {
+        return std::all_of(these.begin(), these.end(),
+                           [&](const Vec3& corner) { return is_among(corner, those, same_place); });
+    };
+    return a.outline.size() == b.outline.size() && all_among(a.outline, b.outline) && all_among(b.outline, a.outline);
 }
 
 /// Does a line along an edge of one part the two, in their common plane?
@@ -96,6 +102,17 @@ bool overlap_in_one_plane(const Region& a, const Region& b, double same_place) {
            !parted_by_an_edge(b.outline, a.outline, unit_normal(b.outline), same_place);
 }
 
+constexpr double sharp = 0.9962;  // cosine of 5 degrees
+
+/// Do they share an edge, and face each other across a sharp angle?
+bool meet_sharply(const Region& a, const Region& b, double same_place) {
+    const Vec3 mine = unit_normal(a.outline), its = unit_normal(b.outline);
+    if (glm::dot(mine, its) > -sharp) return false;
+    const auto shared = std::count_if(a.outline.begin(), a.outline.end(),
+                                      [&](const Vec3& corner) { return is_among(corner, b.outline, same_place); });
+    return shared == 2 && glm::dot(centroid(b.outline) - centroid(a.outline), mine) > same_place;
+}
+
 void look_at_sheets(HardSpots& spots) {
     const std::vector<FreeSurface>& sheets = spots.scene.surfaces;
     std::vector<Extent> extents(sheets.size());
@@ -111,6 +128,11 @@ void look_at_sheets(HardSpots& spots) {
             if (gap(extents[i], extents[k]) > spots.thickness) continue;
             const auto [first, second] = std::minmax(extents[i].index, extents[k].index);
             const Region &a = sheets[first].region, &b = sheets[second].region;
+            if (meet_sharply(a, b, spots.thickness))
+                spots.note("surfaces", second, "surface", sheets[second].name, sheets[second].id, "outline",
+                           "it meets \"" + sheets[first].name +
+                               "\" at less than 5 degrees and faces it; form factors from point to point burst in such "
+                               "a corner. Those of whole patches stay below 1 here; nothing needs to be done");
             const bool twice = same_outline(a, b, spots.thickness);
             if (!twice && !overlap_in_one_plane(a, b, spots.thickness)) continue;
             if (!told.insert(second).second) continue;

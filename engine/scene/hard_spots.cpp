@@ -26,9 +26,21 @@ double width_over_length(const Region& region) {
 }
 
 void look_at_materials(HardSpots& spots) {
+    const std::vector<Material>& all = spots.scene.materials;
+    if (!all.empty() && std::all_of(all.begin(), all.end(), [](const Material& m) { return m.reflectance <= 0.0; }))
+        spots.note_whole("materials",
+                         "nothing reflects; shares of interreflected light would be 0 / 0. There is direct light alone "
+                         "here; give surfaces a reflectance if they have one");
     for (std::size_t i = 0; i < spots.scene.materials.size(); ++i) {
         const Material& material = spots.scene.materials[i];
-        if (material.reflectance < nearly_all || material.reflectance >= 1.0) continue;
+        if (material.reflectance < nearly_all) continue;
+        if (material.reflectance >= 1.0) {
+            spots.note("materials", i, "material", material.name, material.id, "reflectance",
+                       "it absorbs nothing; a fixed number of interreflections leaves light out, and in a closed room "
+                       "there is no end to them. Light is followed until it is absorbed elsewhere or gets out; lower "
+                       "it, no paint is like that");
+            continue;
+        }
         spots.note("materials", i, "material", material.name, material.id, "reflectance",
                    "it keeps " + figure(100.0 * material.reflectance) + " % of all light, which takes some " +
                        figure(std::ceil(std::log(1e-3) / std::log(material.reflectance))) +
@@ -104,13 +116,6 @@ void look_at_opening(HardSpots& spots, std::size_t i, const Luminaire& luminaire
                 "it is flush with a face of the room; whether that face sees it would be a matter of rounding. "
                 "The face gets no light from it here and does not hide it; nothing needs to be done");
     }
-    const Plane plane{outline.front(), unit_normal(outline)};
-    for (const CalculationPoint& point : spots.scene.points)
-        if (std::abs(plane.height(point.position)) <= tolerance::touching * spots.size)
-            return about(
-                "the point \"" + point.name +
-                "\" lies in its plane, where light jumps between all and nothing; it is told the limit from one "
-                "side. Move the point off the plane to choose the side");
 }
 
 /// How far the opening of a file reaches out of the room where its luminaire is inside.
@@ -147,6 +152,21 @@ void look_at_luminaires(HardSpots& spots) {
     }
 }
 
+void look_at_plan(HardSpots& spots, const Room& room) {
+    int reflex = 0;
+    for (std::size_t k = 0; k < room.plan.size(); ++k) {
+        const Vec2 in = room.plan[(k + 1) % room.plan.size()] - room.plan[k];
+        const Vec2 out = room.plan[(k + 2) % room.plan.size()] - room.plan[(k + 1) % room.plan.size()];
+        if (in.x * out.y - in.y * out.x < -tolerance::parallel * glm::length(in) * glm::length(out)) ++reflex;
+    }
+    if (reflex > 0)
+        spots.note(
+            "", 0, "room", room.name, room.id, "plan",
+            "its plan has " + std::to_string(reflex) + (reflex == 1 ? " corner that juts" : " corners that jut") +
+                " in; walls hide walls and luminaires from each other, which formulas for empty rooms leave out. "
+                "What is seen past them is cut exactly here; nothing needs to be done");
+}
+
 void look_at_whole(HardSpots& spots) {
     const Bounds bounds = bounds_of(spots.scene);
     const double away = glm::length(0.5 * (bounds.low + bounds.high));
@@ -178,7 +198,8 @@ void HardSpots::note(std::string_view list, std::size_t index, std::string_view 
     }
     Diagnostic finding;
     finding.severity = Severity::note;
-    finding.place.field = std::string(list) + '[' + std::to_string(index) + "]." + std::string(field);
+    const std::string of = list.empty() ? std::string(kind) : std::string(list) + '[' + std::to_string(index) + ']';
+    finding.place.field = of + '.' + std::string(field);
     finding.place.object = id.value;
     finding.message = std::string(kind) + " \"" + std::string(name) + "\": " + message;
     findings.push_back(std::move(finding));
@@ -199,15 +220,34 @@ void HardSpots::note_whole(std::string_view field, const std::string& message) {
 
 Diagnostics hard_spots(const Scene& scene) {
     HardSpots spots{scene, bounds_of(scene).diameter()};
-    spots.thickness = tolerance::planar * spots.size;
+    spots.thickness = tolerance::same_place * spots.size;
     look_at_whole(spots);
     look_at_materials(spots);
     look_at_furniture(spots);
     look_at_surfaces(spots);
     look_at_luminaires(spots);
+    look_at_lights(spots);
     look_at_pairs(spots);
+    look_at_points(spots, scene.room ? planes_of(*scene.room) : std::vector<Plane>{});
+    if (scene.room) look_at_plan(spots, *scene.room);
     spots.told_of_others();
     return std::move(spots.findings);
+}
+
+std::string verdict_of(const Diagnostics& findings) {
+    if (findings.empty()) return "nothing to complain about";
+    const auto count = [&](Severity severity) {
+        return std::count_if(findings.begin(), findings.end(),
+                             [&](const Diagnostic& finding) { return finding.severity == severity; });
+    };
+    const auto many = [](std::ptrdiff_t number, const char* word) {
+        return std::to_string(number) + ' ' + word + (number == 1 ? "" : "s");
+    };
+    const auto errors = count(Severity::error), warnings = count(Severity::warning), notes = count(Severity::note);
+    std::string text = errors > 0 ? many(errors, "error") : std::string("no errors");
+    if (warnings > 0) text += ", " + many(warnings, "warning");
+    if (notes > 0) text += "; " + many(notes, "note");
+    return text;
 }
 
 }  // namespace hanei

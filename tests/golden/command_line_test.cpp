@@ -166,6 +166,15 @@ TEST_F(CommandLine, every_start_room_passes_its_check) {
     }
 }
 
+TEST_F(CommandLine, check_ends_with_how_many_findings_of_each_kind_there_are) {
+    EXPECT_EQ(run({"check", rooms + "hard/shadow-edge.hanei"}), exit_done);
+    EXPECT_NE(out_.find("shadow-edge.hanei: no errors; 1 note\n"), std::string::npos) << out_;
+    EXPECT_EQ(run({"check", rooms + "hard/lamp-in-a-box.hanei"}), exit_answer_is_no);
+    EXPECT_NE(out_.find("lamp-in-a-box.hanei: no errors, 1 warning\n"), std::string::npos) << out_;
+    EXPECT_EQ(run({"check", rooms + "painted-room.hanei"}), exit_done);
+    EXPECT_NE(out_.find("painted-room.hanei: nothing to complain about\n"), std::string::npos) << out_;
+}
+
 TEST_F(CommandLine, the_reference_cases_kept_with_the_project_pass) {
     EXPECT_EQ(run({"validate", HANEI_SOURCE "/assets/reference"}), exit_done) << out_ << err_;
     EXPECT_NE(out_.find("b. measured photometry"), std::string::npos);

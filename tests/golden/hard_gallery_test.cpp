@@ -31,8 +31,7 @@ TEST(HardGallery, comes_out_as_its_table_says_where_naive_methods_fail) {
     for (const HardCase& wanted : cases()) {
         const HardOutcome outcome = solve_hard_case(folder, wanted);
         for (const std::string& fault : outcome.faults) ADD_FAILURE() << wanted.file << ": " << fault;
-        EXPECT_FALSE(outcome.figures.empty() && outcome.findings.empty() && !wanted.escaped_lm)
-            << wanted.file << " states nothing";
+        EXPECT_FALSE(outcome.findings.empty()) << wanted.file << ": nobody is told what is hard in it";
         const auto& figures = outcome.figures;
         const auto stated =
             std::count_if(figures.begin(), figures.end(), [](const auto& figure) { return figure.naive.has_value(); });
