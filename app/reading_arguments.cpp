@@ -50,19 +50,29 @@ void add_compare(CLI::App& app, ReadingArguments& arguments, const AddCommon& ad
     add_common(*command);
 }
 
+void add_trust(CLI::App& app, ReadingArguments& arguments, const AddCommon& add_common) {
+    CLI::App* command = app.add_subcommand(
+        "trust", "Check an answer by what must hold of any: energy, reciprocity, closure, additivity, threads");
+    command->add_option("PROJECT", arguments.trust.project, "Project file (.hanei)")->required();
+    command->add_option("--json", arguments.trust.json, "Write the same as JSON");
+    add_common(*command);
+}
+
 }  // namespace
 
 void add_reading(CLI::App& app, ReadingArguments& arguments, const AddCommon& add_common) {
     add_why(app, arguments, add_common);
     add_profile(app, arguments, add_common);
     add_compare(app, arguments, add_common);
+    add_trust(app, arguments, add_common);
 }
 
 std::optional<int> run_reading(const CLI::App& app, ReadingArguments& arguments, const SettingsChange& change) {
-    arguments.why.change = arguments.profile.change = arguments.compare.change = change;
+    arguments.why.change = arguments.profile.change = arguments.compare.change = arguments.trust.change = change;
     if (app.got_subcommand("why")) return why_command(arguments.why);
     if (app.got_subcommand("profile")) return profile_command(arguments.profile);
     if (app.got_subcommand("compare")) return compare_command(arguments.compare);
+    if (app.got_subcommand("trust")) return trust_command(arguments.trust);
     return std::nullopt;
 }
 

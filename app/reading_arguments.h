@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/profile_command.h"
+#include "app/trust_command.h"
 #include "app/why_command.h"
 
 #include <functional>
@@ -16,6 +17,7 @@ struct ReadingArguments {
     WhyRequest why;
     ProfileRequest profile;
     CompareRequest compare;
+    TrustRequest trust;
 };
 
 /// `add_common` adds the options that all commands share. The arguments must outlive the parsing.

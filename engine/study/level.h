@@ -86,6 +86,7 @@ public:
                                                                 std::size_t count, const Work& work) const;
 
     const Cut& now() const { return cut_; }
+    const StoredRows* rows() const { return rows_.now(); }  ///< between the unknowns, of the last solve; may be null
 
 private:
     struct MeshKey {

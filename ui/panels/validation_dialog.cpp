@@ -71,7 +71,7 @@ void table(const std::vector<ValidationRow>& rows, bool follows) {
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_ScrollY | ImGuiTableFlags_ScrollX | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
     // Where the frame is narrower than its columns they scroll, and keep their words.
-    const float inner = std::max(ImGui::GetContentRegionAvail().x, 940.0F * style::scale());
+    const float inner = std::max(ImGui::GetContentRegionAvail().x, 1040.0F * style::scale());
     if (!ImGui::BeginTable("cases", static_cast<int>(columns.size()), flags, {0.0F, height},
                            inner > ImGui::GetContentRegionAvail().x ? inner : 0.0F))
         return;

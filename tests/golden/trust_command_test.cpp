@@ -1,0 +1,70 @@
+/// The command that checks an answer by what must hold of any.
+#include "app/command_line.h"
+#include "app/exit_code.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace hanei {
+namespace {
+
+const std::string rooms = HANEI_SOURCE "/assets/rooms/";
+
+class TrustCommand : public testing::Test {
+protected:
+    int run(const std::vector<std::string>& after_program) {
+        std::vector<std::string> arguments{"hanei", "trust"};
+        arguments.insert(arguments.end(), after_program.begin(), after_program.end());
+        std::vector<char*> pointers;
+        for (std::string& argument : arguments) pointers.push_back(argument.data());
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        const int code = run_command_line(static_cast<int>(pointers.size()), pointers.data());
+        out_ = testing::internal::GetCapturedStdout();
+        err_ = testing::internal::GetCapturedStderr();
+        return code;
+    }
+    bool says(const std::string& words) const { return out_.find(words) != std::string::npos; }
+    std::string out_, err_;
+};
+
+TEST_F(TrustCommand, holds_of_the_painted_room_and_is_written_as_json) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "hanei-trust-command";
+    std::filesystem::create_directories(folder);
+    const auto file = folder / "trust.json";
+    ASSERT_EQ(run({rooms + "painted-room.hanei", "--json", file}), exit_done) << out_ << err_;
+    EXPECT_TRUE(says("6000 lm emitted"));
+    EXPECT_TRUE(says("All 5 checks hold."));  // one luminaire makes no halves
+    std::ifstream in(file);
+    const auto json = nlohmann::json::parse(in);
+    EXPECT_TRUE(json["holds"].get<bool>());
+    EXPECT_EQ(json["checks"]["additivity"]["state"], "not asked");
+    EXPECT_LT(json["checks"]["energy"]["found"].get<double>(), 6.0) << "a thousandth of what is emitted";
+}
+
+TEST_F(TrustCommand, accounts_for_the_light_that_four_bounces_leave_on_its_way) {
+    ASSERT_EQ(run({rooms + "hard/plain-room.hanei", "--bounces", "4"}), exit_done) << out_ << err_;
+    EXPECT_TRUE(says("stopped after 4, as set"));
+}
+
+TEST_F(TrustCommand, says_no_and_names_the_lamp_whose_light_goes_nowhere) {
+    EXPECT_EQ(run({rooms + "hard/above-the-ceiling.hanei"}), exit_answer_is_no);
+    EXPECT_TRUE(says("Panel sends 3000 of its 3000 lm"));
+}
+
+TEST_F(TrustCommand, says_no_of_point_to_point_factors) {
+    EXPECT_EQ(run({rooms + "hard/slit.hanei", "--method", "paper", "--bounces", "4"}), exit_answer_is_no);
+    EXPECT_TRUE(says("Use"));
+}
+
+TEST_F(TrustCommand, refuses_a_file_that_is_not_there) {
+    EXPECT_EQ(run({rooms + "nowhere.hanei"}), exit_bad_input);
+    EXPECT_FALSE(err_.empty());
+}
+
+}  // namespace
+}  // namespace hanei
