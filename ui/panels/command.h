@@ -159,6 +159,7 @@ enum class CommandId {
     show_histogram,
     compare_measured,
     study_accuracy,
+    check_scene,
     command_search,
     show_keys,
     show_validation,

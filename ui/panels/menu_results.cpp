@@ -64,6 +64,12 @@ constexpr std::array table{
             "Accuracy against time",
             "How exact each method is on this room and how long it takes; a click on a point uses it",
             {}},
+    Command{check_scene,
+            "results.check",
+            "Results",
+            "Check the scene",
+            "List what is wrong with the scene and what is hard in it; a click on a message selects the object",
+            {}},
 };
 
 }  // namespace
@@ -135,6 +141,10 @@ void Workbench::do_results(CommandId id) {
             return viewport_.take_up(std::make_unique<ProfileTool>(readings_.profile));
         case CommandId::compare_measured:
             return compare_measured();
+        case CommandId::check_scene:
+            messages_panel_.list_hard_spots();
+            opens_messages_ = true;
+            return;
         case CommandId::show_histogram:
             readings_.front_tab = "Histogram";
             return;

@@ -1,6 +1,8 @@
 #include "ui/panels/messages_panel.h"
 
 #include "engine/edit/edit.h"
+#include "engine/scene/hard_spots.h"
+#include "engine/scene/scene_check.h"
 #include "ui/panels/elided.h"
 #include "ui/panels/form.h"
 #include "ui/panels/icon.h"
@@ -40,6 +42,18 @@ bool holds(const std::string& text, const std::string& words) {
 
 }  // namespace
 
+const Diagnostics& MessagesPanel::checks_of(const SceneSnapshot& scene, const Diagnostics& findings) {
+    if (!lists_hard_spots_) return findings;
+    if (looked_at_ != scene) {
+        spots_ = has_errors(check_scene(*scene)) ? Diagnostics{} : hard_spots(*scene);
+        looked_at_ = scene;
+    }
+    checks_ = findings;
+    checks_.insert(checks_.end(), spots_.begin(), spots_.end());
+    checks_.insert(checks_.begin(), {Severity::note, {}, verdict_of(checks_)});
+    return checks_;
+}
+
 std::vector<MessagesPanel::Row> MessagesPanel::rows(const Diagnostics& checks, const Messages& messages,
                                                     bool timed) const {
     std::vector<Row> rows;
@@ -74,7 +88,11 @@ void MessagesPanel::tools(const std::vector<Row>& shown, Messages& messages, Wid
     widgets.note("messages.copy");
     tooltip("The listed messages as text to the clipboard");
     ImGui::SameLine();
-    if (ImGui::Button(tr("Clear"))) messages.clear();
+    if (ImGui::Button(tr("Clear"))) {
+        messages.clear();
+        lists_hard_spots_ = false;
+        looked_at_.reset();
+    }
     widgets.note("messages.clear");
     tooltip("Forget what happened; what is wrong with the scene stays until it is mended");
 }

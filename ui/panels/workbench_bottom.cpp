@@ -49,11 +49,11 @@ void Workbench::bottom(const ScreenRect& area) {
             end_wide();
             ImGui::EndTabItem();
         }
-        const std::size_t found = study_.findings().size() + messages_.entries().size();
+        const Diagnostics& checks = messages_panel_.checks_of(document_.shown(), study_.findings());
+        const std::size_t found = checks.size() + messages_.entries().size();
         if (begin_tab("Messages", widgets_, found, std::exchange(opens_messages_, false))) {
             begin_wide("messages", table_width);
-            if (const auto clicked =
-                    messages_panel_.draw(*document_.shown(), study_.findings(), messages_, measured, widgets_))
+            if (const auto clicked = messages_panel_.draw(*document_.shown(), checks, messages_, measured, widgets_))
                 selection_.choose(*clicked);
             end_wide();
             ImGui::EndTabItem();
