@@ -1,4 +1,5 @@
 #include "ui/view/colour_scale.h"
+#include "ui/view/drawn_about.h"
 #include "ui/view/marks.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ void append(std::vector<DotMark>& dots, const PointResult& point, bool valued, c
     const std::optional<double> lux = valued ? value_of(point.value, look.part) : std::nullopt;
     const glm::vec4 fill = lux ? glm::vec4(colour_of(*lux, look), 1.0F) : ink::no_value;
     dots.push_back(
-        {glm::vec3(point.position), fill, ring, radius, static_cast<float>(greatest_m), glm::vec3(point.normal)});
+        {drawn(point.position), fill, ring, radius, static_cast<float>(greatest_m), glm::vec3(point.normal)});
 }
 
 double spacing_of(const CalculationGrid& grid) {

@@ -1,6 +1,7 @@
 #include "ui/view/band_light.h"
 #include "ui/view/cell_field.h"
 #include "ui/view/colour_scale.h"
+#include "ui/view/drawn_about.h"
 #include "ui/view/layers.h"
 #include "ui/view/tone.h"
 
@@ -41,7 +42,7 @@ void append_cell(std::vector<CellVertex>& vertices, std::vector<GLuint>& indices
         const Vec3& corner = solution.display->vertices[cell.corner[k]].position;
         const Vec3 place = corner + overlap * (corner - centre);
         const Vec2 flat = frame.flat(place);
-        vertices.push_back({glm::vec3(place), glm::vec2(flat), glm::vec4(frame.corner[1], frame.corner[3]),
+        vertices.push_back({drawn(place), glm::vec2(flat), glm::vec4(frame.corner[1], frame.corner[3]),
                             glm::vec2(frame.corner[2]), glm::vec3(reflectance)});
     }
     indices.insert(indices.end(), {first, first + 1, first + 2});
@@ -90,7 +91,9 @@ CellLayer::CellLayer() : program_(shaders::cell_vert, shaders::cell_frag) {
 CellLayer::~CellLayer() { glDeleteTextures(1, &colours_); }
 
 void CellLayer::set(SolutionSnapshot solution) {
-    const bool is_loaded = solution_ != nullptr && same_shape(*solution_, *solution);
+    const glm::vec3 about = drawn(Vec3{0.0});
+    const bool is_loaded = solution_ != nullptr && about == loaded_about_ && same_shape(*solution_, *solution);
+    loaded_about_ = about;
     solution_ = std::move(solution);
     automatic_exposure_.reset();
     if (is_loaded) return load_values(loaded_);

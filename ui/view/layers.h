@@ -42,6 +42,7 @@ private:
     gl::Vertices cells_;
     GLuint colours_ = 0;
     SolutionSnapshot solution_;
+    glm::vec3 loaded_about_{0.0F};  ///< where the scene's own origin is among the cells that are loaded
     LightPart loaded_ = LightPart::total;
     std::optional<double> automatic_exposure_;  ///< worked out when a photo is drawn
 };

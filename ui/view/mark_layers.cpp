@@ -1,3 +1,4 @@
+#include "ui/view/drawn_about.h"
 #include "ui/view/layers.h"
 
 #include <shaders.h>
@@ -44,8 +45,8 @@ void LineLayer::set(const std::vector<LineMark>& lines, float pixel_scale) {
     for (const LineMark& line : lines) {
         const GLuint first = static_cast<GLuint>(vertices.size());
         for (const glm::vec2 corner : {glm::vec2(0, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(0, 1)}) {
-            vertices.push_back({glm::vec3(line.from), glm::vec3(line.to), glm::vec3(line.normal_a),
-                                glm::vec3(line.normal_b), line.colour, glm::vec3(corner, line.width * pixel_scale)});
+            vertices.push_back({drawn(line.from), drawn(line.to), glm::vec3(line.normal_a), glm::vec3(line.normal_b),
+                                line.colour, glm::vec3(corner, line.width * pixel_scale)});
         }
         indices.insert(indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
     }

@@ -2,6 +2,7 @@
 
 #include "engine/base/check.h"
 #include "engine/scene/faces.h"
+#include "ui/view/drawn_about.h"
 #include "ui/view/layers.h"
 
 #include <algorithm>
@@ -16,8 +17,9 @@ constexpr double usual_height = 900.0;
 
 Bounds joined(const Bounds& a, const Bounds& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
-glm::vec4 packed(const std::optional<Cut>& plane) {
-    return plane ? glm::vec4(glm::vec3(plane->normal), static_cast<float>(plane->offset)) : glm::vec4(0.0F);
+glm::vec4 packed(const std::optional<Cut>& plane, const Vec3& origin) {
+    if (!plane) return glm::vec4(0.0F);
+    return {glm::vec3(plane->normal), static_cast<float>(plane->offset - glm::dot(plane->normal, origin))};
 }
 
 /// What is drawn between is cut at a plane; `which` counts as in Pass::cuts.
@@ -37,13 +39,14 @@ private:
     GLenum which_;
 };
 
-Pass pass_of(const Camera& camera, PixelSize size, const Bounds& bounds, const CutPlanes& planes) {
+Pass pass_of(Camera camera, PixelSize size, Bounds bounds, const CutPlanes& planes, const Vec3& origin) {
+    for (Vec3* place : {&camera.eye, &camera.target, &bounds.low, &bounds.high}) *place -= origin;
     Pass pass;
     pass.to_clip = glm::mat4(view_projection(camera, size.aspect(), bounds));
     pass.eye = camera.orthographic ? glm::vec4(-axes_of(camera).forward, 0.0F) : glm::vec4(camera.eye, 1.0F);
     pass.size = glm::vec2(size.width, size.height);
     pass.pixel_scale = static_cast<float>(std::max(0.6, size.height / usual_height));
-    pass.cuts = {packed(planes.cut), packed(planes.ceiling)};
+    pass.cuts = {packed(planes.cut, origin), packed(planes.ceiling, origin)};
     const double distance = camera.orthographic ? glm::length(camera.target - camera.eye) : 1.0;
     pass.pixels_per_metre = static_cast<float>(size.height / (2.0 * distance * std::tan(0.5 * camera.field_of_view)));
     return pass;
@@ -84,11 +87,33 @@ struct Renderer::Buffers {
     LineLayer edges, mesh, outlines, tubes, highlight_lines;
     DotLayer luminaire_dots, calculation, highlight_dots;
     SectionLayer sections;
+    Vec3 origin{0.0};  ///< what is drawn is loaded about
 
     void find_bounds() {
         bounds = scene != nullptr ? bounds_of(*scene) : Bounds{};
         if (solution != nullptr)
             bounds = scene != nullptr ? joined(bounds, bounds_of(*solution->scene)) : bounds_of(*solution->scene);
+        const Vec3 better = drawing_origin(bounds);
+        if (better == origin) return;
+        origin = better;
+        load_scene(), load_solution();
+    }
+
+    void load_scene() {
+        const DrawnAbout about(origin);
+        const PlainFaces faces = scene != nullptr ? plain_faces(*scene) : PlainFaces{};
+        plain.set(faces.faces);
+        sub_areas.set(faces.sub_areas);
+        edge_scale = 0.0F;
+    }
+
+    void load_solution() {
+        const DrawnAbout about(origin);
+        mesh_loaded = false;
+        if (solution != nullptr) cells.set(solution);
+        shadows.set(solution);
+        if (scene == nullptr) edge_scale = 0.0F;
+        sections_of_scene = nullptr;
     }
 
     const Scene* shown_scene() const {
@@ -207,10 +232,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::set_scene(SceneSnapshot scene) {
     buffers_->scene = std::move(scene);
-    const PlainFaces faces = buffers_->scene != nullptr ? plain_faces(*buffers_->scene) : PlainFaces{};
-    buffers_->plain.set(faces.faces);
-    buffers_->sub_areas.set(faces.sub_areas);
-    buffers_->edge_scale = 0.0F;
+    buffers_->load_scene();
     buffers_->find_bounds();
 }
 
@@ -218,10 +240,7 @@ void Renderer::set_solution(SolutionSnapshot solution) {
     const bool drawable =
         solution != nullptr && solution->scene != nullptr && solution->mesh != nullptr && solution->display != nullptr;
     buffers_->solution = drawable ? std::move(solution) : nullptr;
-    buffers_->mesh_loaded = false;
-    if (drawable) buffers_->cells.set(buffers_->solution);
-    buffers_->shadows.set(buffers_->solution);
-    if (buffers_->scene == nullptr) buffers_->edge_scale = 0.0F;
+    buffers_->load_solution();
     buffers_->find_bounds();
 }
 
@@ -230,10 +249,7 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
     Buffers& b = *buffers_;
     HANEI_CHECK(size.width > 0 && size.height > 0);
     glViewport(0, 0, size.width, size.height);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
+    for (const GLenum state : {GL_SCISSOR_TEST, GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST}) glDisable(state);
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     b.background.draw(look.dark_background);
@@ -243,7 +259,8 @@ void Renderer::draw(const Camera& camera, const ViewOptions& look, const Highlig
     glFrontFace(is_mirrored(camera) ? GL_CW : GL_CCW);
 
     b.planes = CutPlanes(camera.left_out, b.shown_scene());
-    const Pass pass = pass_of(camera, size, b.bounds, b.planes);
+    const DrawnAbout about(b.origin);
+    const Pass pass = pass_of(camera, size, b.bounds, b.planes, b.origin);
     const Clipped cut(b.planes.cut.has_value(), 0);
     if (b.edge_scale != pass.pixel_scale) b.load_lines(pass.pixel_scale);
     if (room != nullptr) {

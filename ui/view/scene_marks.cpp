@@ -3,6 +3,7 @@
 #include "engine/scene/dimmers.h"
 #include "engine/scene/faces.h"
 #include "engine/scene/suspension.h"
+#include "ui/view/drawn_about.h"
 #include "ui/view/luminaire_shape.h"
 #include "ui/view/marks.h"
 #include "ui/view/tone.h"
@@ -21,7 +22,7 @@ void append_convex(std::vector<SolidVertex>& vertices, const Polygon& convex, co
                    const glm::vec4& colour) {
     for (std::size_t k = 1; k + 1 < convex.size(); ++k) {
         for (const std::size_t corner : {std::size_t{0}, k, k + 1}) {
-            vertices.push_back({glm::vec3(convex[corner]), glm::vec3(normal), colour});
+            vertices.push_back({drawn(convex[corner]), glm::vec3(normal), colour});
         }
     }
 }
@@ -129,8 +130,8 @@ LuminaireMarks luminaire_marks(const Scene& scene) {
             marks.tubes.push_back({shape.tube->first, shape.tube->second, light, 4.6F});
         }
         if (const auto cord = suspension_of(scene, luminaire))
-            marks.outlines.push_back({glm::vec3(cord->first), glm::vec3(cord->second), ink::luminaire, 1.0F});
-        if (shape.point) marks.dots.push_back({glm::vec3(*shape.point), light, ink::luminaire, 6.0F, 0.0F});
+            marks.outlines.push_back({cord->first, cord->second, ink::luminaire, 1.0F});
+        if (shape.point) marks.dots.push_back({drawn(*shape.point), light, ink::luminaire, 6.0F, 0.0F});
     }
     return marks;
 }
@@ -151,7 +152,7 @@ OutlineMarks outline_of(const Scene& scene, ObjectId object, const glm::vec4& co
         const LuminaireShape shape = shape_of(luminaire, scene);
         for (const auto& [from, to] : shape.outline) marks.lines.push_back({from, to, colour, width});
         if (shape.tube) marks.lines.push_back({shape.tube->first, shape.tube->second, colour, width + 3.0F});
-        if (shape.point) marks.dots.push_back({glm::vec3(*shape.point), colour, colour, 7.5F, 0.0F});
+        if (shape.point) marks.dots.push_back({drawn(*shape.point), colour, colour, 7.5F, 0.0F});
     }
     for (const CalculationGrid& grid : scene.grids) {
         if (grid.id != object) continue;
@@ -160,7 +161,7 @@ OutlineMarks outline_of(const Scene& scene, ObjectId object, const glm::vec4& co
         for (std::size_t k = 0; k < 4; ++k) marks.lines.push_back({loop[k], loop[(k + 1) % 4], colour, width});
     }
     for (const CalculationPoint& point : scene.points) {
-        if (point.id == object) marks.dots.push_back({glm::vec3(point.position), colour, colour, 7.0F, 0.0F});
+        if (point.id == object) marks.dots.push_back({drawn(point.position), colour, colour, 7.0F, 0.0F});
     }
     return marks;
 }

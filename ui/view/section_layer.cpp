@@ -1,4 +1,5 @@
 #include "ui/view/class_colours.h"
+#include "ui/view/drawn_about.h"
 #include "ui/view/layers.h"
 
 #include <shaders.h>
@@ -16,7 +17,7 @@ void append(std::vector<SolidVertex>& vertices, std::vector<LineMark>& lines, co
             const Vec3& normal) {
     for (std::size_t k = 1; k + 1 < section.size(); ++k) {
         for (const std::size_t corner : {std::size_t{0}, k, k + 1})
-            vertices.push_back({glm::vec3(section[corner]), glm::vec3(normal), cut_colour});
+            vertices.push_back({drawn(section[corner]), glm::vec3(normal), cut_colour});
     }
     for (std::size_t k = 0; k < section.size(); ++k)
         lines.push_back({section[k], section[(k + 1) % section.size()], cut_line, section_width, normal, normal});

@@ -1,6 +1,7 @@
 #include "ui/view/shadow_marks.h"
 
 #include "engine/scene/faces.h"
+#include "ui/view/drawn_about.h"
 
 #include <algorithm>
 
@@ -53,7 +54,7 @@ std::vector<SolidVertex> class_marks(const Solution& solution, ObjectId of) {
         const glm::vec3 normal(mesh.faces[patch.face].face.normal);
         for (std::size_t k = 1; k + 1 < patch.outline.size(); ++k) {
             for (const std::size_t corner : {std::size_t{0}, k, k + 1})
-                vertices.push_back({glm::vec3(patch.outline[corner]), normal, colour});
+                vertices.push_back({drawn(patch.outline[corner]), normal, colour});
         }
     }
     return vertices;

@@ -1,5 +1,6 @@
 #include "room_by_hand.h"
 #include "ui/view/colour_scale.h"
+#include "ui/view/drawn_about.h"
 #include "ui/view/frame.h"
 #include "ui/view/offscreen.h"
 
@@ -228,6 +229,43 @@ TEST_F(Picture, highlights_change_only_the_neighbourhood_of_what_they_outline) {
     for (std::size_t k = 0; k < plain.rgba.size(); k += 4) changed += plain.rgba[k] != outlined.rgba[k] ? 1 : 0;
     EXPECT_GT(changed, 500);
     EXPECT_LT(changed, size.width * size.height / 10);
+}
+
+/// Single precision steps by 64 mm there.
+TEST_F(Picture, of_a_room_a_thousand_kilometres_away_is_that_of_the_room_nearby) {
+    const Vec3 away{1048576.0, -524288.0, 0.0};
+    const PixelSize size{640, 400};
+    const auto draw = [&](const Scene& scene) {
+        Renderer renderer;
+        renderer.set_scene(std::make_shared<const Scene>(scene));
+        Frame frame(size);
+        renderer.draw(overview(bounds_of(scene), size.aspect()), ViewOptions{}, {}, size);
+        return frame.read();
+    };
+    Scene scene = furnished_room();
+    scene.grids.clear();
+    scene.points.clear();
+    const Image nearby = draw(scene);
+    for (Vec2& corner : scene.room->plan) corner += Vec2(away);
+    for (Furniture& furniture : scene.furniture) furniture.position += away;
+    for (Luminaire& luminaire : scene.luminaires) luminaire.position += away;
+    for (FreeSurface& surface : scene.surfaces)
+        for (Vec3& corner : surface.region.outline) corner += away;
+    const Image far = draw(scene);
+    keep(far, "far.png");
+    int changed = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) changed += difference(pixel(nearby, x, y), pixel(far, x, y)) > 24 ? 1 : 0;
+    EXPECT_LT(changed, size.width * size.height / 500) << "pixels at rounded edges may differ";
+}
+
+TEST(DrawingOrigin, is_the_scenes_own_while_that_is_near_and_stays_while_the_scene_is_edited) {
+    EXPECT_EQ(drawing_origin({{-3.0, 2.0, 0.0}, {9.0, 7.0, 3.0}}), Vec3(0.0));
+    EXPECT_EQ(drawing_origin({{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}), Vec3(0.0));
+    const Bounds far{{1e5, -1e5, 0.0}, {1e5 + 4.0, -1e5 + 3.0, 2.6}};
+    const Vec3 origin = drawing_origin(far);
+    EXPECT_LT(glm::distance(origin, far.low), 512.0);
+    EXPECT_EQ(drawing_origin({far.low + Vec3(0.3), far.high + Vec3(0.3)}), origin);
 }
 
 }  // namespace
