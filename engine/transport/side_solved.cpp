@@ -133,7 +133,7 @@ Balance SideSolved::state() const {
     result.greatest_row_sum = rows_.greatest;
     for (std::size_t k = 0; k < arriving_.size(); ++k) {
         const double middle = arriving_[k] + 0.5 * (low_[k] + high_[k]);
-        const double arriving = partial_sum ? sum_[k] : middle;
+        const double arriving = std::max(0.0, partial_sum ? sum_[k] : middle);  // rounding may leave less than none
         const double width =
             partial_sum ? std::max(0.0, arriving_[k] + high_[k] - sum_[k]) : 0.5 * (high_[k] - low_[k]);
         const double exitance = side_.own_exitance[k] + side_.reflectance[k] * (side_.direct[k] + arriving);
