@@ -8,6 +8,7 @@
 #include "engine/direct/accuracy.h"
 #include "engine/direct/estimate.h"
 #include "engine/direct/flat_cell.h"
+#include "engine/direct/narrow_beam.h"
 #include "engine/geometry/configuration_factor.h"
 #include "engine/geometry/occluders.h"
 #include "engine/scene/scene.h"
@@ -62,6 +63,8 @@ public:
     /// Returns   of a uniform face the exact mean over the part: its nodes are not asked for.
     PlaceLight from_place(std::size_t piece, const Vec3& place, const FlatCell& part, const Vec3& normal) const;
     bool shines_from_places() const;
+    /// Of a point with a narrow beam.
+    std::optional<NarrowBeam> narrow_beam() const;
     bool is_exact() const;    ///< at points: estimates have no error
     bool is_uniform() const;  ///< every piece is a uniform face
 

@@ -189,6 +189,11 @@ bool Emitter::shines_from_places() const {
     return !diffuse || !diffuse->hides_itself();
 }
 
+std::optional<NarrowBeam> Emitter::narrow_beam() const {
+    const auto* const point = std::get_if<PointSource>(&parts_->source);
+    return point != nullptr ? point->narrow_beam() : std::nullopt;
+}
+
 bool Emitter::is_exact() const { return !std::holds_alternative<MeasuredSource>(parts_->source); }
 
 bool Emitter::is_uniform() const { return std::holds_alternative<DiffuseSource>(parts_->source); }

@@ -4,9 +4,12 @@
 #include "engine/direct/mean_cell.h"
 #include "engine/direct/shadow_proof.h"
 #include "engine/direct/sight_hull.h"
+#include "engine/geometry/polygon.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace hanei {
 
@@ -38,6 +41,79 @@ Estimate refined(std::vector<Cell>& cells, const LightOnPatch& light, const Accu
         *worst = std::move(halves.front());
         if (halves.size() > 1) cells.push_back(std::move(halves.back()));
     }
+}
+
+/// Where a narrow beam meets a plane.
+struct BeamSpot {
+    Vec3 middle;
+    double half_width = 0.0;  ///< m, across the beam
+    double reach = 0.0;       ///< m: what lies farther off hardly matters
+
+    static std::optional<BeamSpot> on(const Plane& plane, const NarrowBeam& beam) {
+        constexpr double reach = 4.0;  // half widths
+        const double falling = -glm::dot(beam.axis, plane.normal);
+        if (!(falling > 1e-3) || !(plane.height(beam.from) > 0.0)) return std::nullopt;
+        const double distance = plane.height(beam.from) / falling;
+        const double half_width = distance * std::tan(beam.half_angle);
+        return BeamSpot{beam.from + distance * beam.axis, half_width, reach * half_width / falling};
+    }
+};
+
+template <class Cell>
+void add_part(std::vector<Cell>& cells, const Cell& of, Polygon corners, const LightOnPatch& light) {
+    Cell part = of;
+    part.patch = FlatCell(std::move(corners));
+    if (part.patch.count == 0) return;
+    part.weight *= part.patch.size / of.patch.size;
+    part.measure(light);
+    cells.push_back(std::move(part));
+}
+
+/// What lies about the spot, and the parts beside it.
+template <class Cell>
+std::pair<std::vector<Cell>, std::vector<Cell>> cut_around(const Cell& cell, const BeamSpot& spot,
+                                                           const LightOnPatch& light) {
+    std::vector<Cell> about, beside;
+    Polygon rest = cell.patch.corners;
+    const Vec3 x = glm::normalize(cell.patch.along), y = glm::cross(light.normal, x);
+    for (const Vec3& way : {x, -x, y, -y}) {
+        const Vec3 border = spot.middle + spot.reach * way;
+        add_part(beside, cell, clipped(rest, {border, way}, 0.0), light);
+        rest = clipped(rest, {border, -way}, 0.0);
+        if (rest.size() < 3) return {std::move(about), std::move(beside)};
+    }
+    add_part(about, cell, std::move(rest), light);
+    return {std::move(about), std::move(beside)};
+}
+
+/// Cuts cells that a narrow beam meets until their nodes notice it: all of them may lie beside it.
+template <class Cell>
+void cut_at_beam(std::vector<Cell>& cells, const LightOnPatch& light) {
+    constexpr double fine = 1.5;  // half widths of the beam: so wide a cell has nodes in it
+    constexpr std::size_t most = 1000;
+    const std::optional<NarrowBeam> beam = light.emitter.narrow_beam();
+    if (!beam || cells.empty()) return;
+    const auto spot = BeamSpot::on({cells.front().patch.centre, light.normal}, *beam);
+    if (!spot) return;
+    std::vector<Cell> cut;
+    for (const Cell& whole : cells) {
+        if (whole.patch.count == 0) continue;
+        auto [about, beside] = cut_around(whole, *spot, light);
+        std::ranges::move(beside, std::back_inserter(cut));
+        for (std::size_t k = 0; k < about.size() && about.size() < most;) {
+            const bool misses = diameter(about[k].patch.corners) > fine * spot->half_width;
+            std::vector<Cell> halves = misses ? about[k].halves() : std::vector<Cell>{};
+            if (halves.empty()) {
+                ++k;
+                continue;
+            }
+            for (Cell& half : halves) half.measure(light);
+            about[k] = std::move(halves.front());
+            if (halves.size() > 1) about.push_back(std::move(halves.back()));
+        }
+        std::ranges::move(about, std::back_inserter(cut));
+    }
+    if (!cut.empty()) cells = std::move(cut);
 }
 
 /// A luminous piece that gives light to a patch, and what stands between.
@@ -108,6 +184,7 @@ Estimate mean_on(const ReceivingPolygon& polygon, const Emitter& emitter, const 
             cells.push_back({std::move(whole), 1.0, {}});
         }
         cells[0].measure(light);
+        cut_at_beam(cells, light);
         return refined(cells, light, allowed, most_cuts);
     }
     std::vector<ShadowedCell> cells;
@@ -118,6 +195,7 @@ Estimate mean_on(const ReceivingPolygon& polygon, const Emitter& emitter, const 
         cells.push_back({std::move(patch), std::move(opening), shining.piece, weight, {}});
         cells.back().measure(light);
     }
+    cut_at_beam(cells, light);
     return refined(cells, light, allowed, most_in_shadow);
 }
 

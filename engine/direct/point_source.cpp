@@ -14,6 +14,15 @@ double PointSource::candela(const Vec3& direction) const {
     return full_ * std::get<IntensityTable>(shape_).candela(local);
 }
 
+std::optional<NarrowBeam> PointSource::narrow_beam() const {
+    constexpr double least_exponent = 100.0;  // half of the intensity 7 degrees off the axis
+    const auto* const beam = std::get_if<CosinePower>(&shape_);
+    if (beam == nullptr || beam->exponent < least_exponent) return std::nullopt;
+    // acos of a figure next to 1, without the digits that it would lose
+    const double less = -std::expm1(-std::log(2.0) / beam->exponent);
+    return NarrowBeam{placed_.position, front(), 2.0 * std::asin(std::sqrt(0.5 * less))};
+}
+
 double PointSource::unobstructed(const Receiver& receiver) const {
     const Vec3 to_source = placed_.position - receiver.position;
     const double square = glm::dot(to_source, to_source);

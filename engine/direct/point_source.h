@@ -2,10 +2,12 @@
 #pragma once
 
 #include "engine/direct/intensity_table.h"
+#include "engine/direct/narrow_beam.h"
 #include "engine/geometry/configuration_factor.h"
 #include "engine/scene/placement.h"
 #include "engine/scene/scene.h"
 
+#include <optional>
 #include <variant>
 
 namespace hanei {
@@ -24,6 +26,8 @@ public:
 
     /// Nothing is radiated behind this; zero: it shines all around.
     Vec3 front() const { return std::holds_alternative<CosinePower>(shape_) ? -placed_.rotation[2] : Vec3{0.0}; }
+    /// None of a beam that is not narrower than what nodes a few degrees apart notice, and of tables.
+    std::optional<NarrowBeam> narrow_beam() const;
     bool is_dark() const { return !(full_ > 0.0); }
 
     /// Inverse square law, nothing in between; 0 at the source itself.
