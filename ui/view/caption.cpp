@@ -67,6 +67,11 @@ Caption caption_of(const Solution& solution, const ViewOptions& look) {
     caption.detail = say("Method {}, {} patches of {:.3g} m at most, {} interreflections{}. Error: {}.",
                          name_of(solution.settings.method), patches, solution.patch_width, solution.bounces,
                          solution.complete ? "" : tr(" so far"), error_text(solution));
+    if (!solution.refusal.empty())
+        caption.detail = say(
+            "Method {}, {} patches of {:.3g} m at most. Direct light and its first reflection: interreflection has no "
+            "end here.",
+            name_of(solution.settings.method), patches, solution.patch_width);
     if (look.shadow_classes)
         caption.detail = say("{} patches of {:.3g} m at most. Lit, umbra and away are proved; partly lit is the rest.",
                              patches, solution.patch_width);

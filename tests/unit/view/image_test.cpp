@@ -105,6 +105,10 @@ TEST(Caption, says_title_part_method_and_error) {
     EXPECT_NE(caption.detail.find("patch"), std::string::npos);
     EXPECT_NE(caption.detail.find("4 interreflections so far"), std::string::npos) << caption.detail;
     EXPECT_NE(caption.detail.find("0.25 lx"), std::string::npos);
+    solution.refusal = "All light comes back.";
+    const Caption refused = caption_of(solution, view);
+    EXPECT_EQ(refused.detail.find("Error"), std::string::npos) << refused.detail;
+    EXPECT_NE(refused.detail.find("has no end here"), std::string::npos) << refused.detail;
 }
 
 }  // namespace
