@@ -103,7 +103,7 @@ std::string TrustSentence::english() const {
 }
 
 const char* name_of(TrustState state) {
-    return state == TrustState::holds ? "holds" : state == TrustState::fails ? "fails" : "not asked";
+    return state == TrustState::holds ? "holds" : state == TrustState::fails ? "fails" : "does not apply";
 }
 
 TrustSentence trust_verdict(const TrustReport& report) {

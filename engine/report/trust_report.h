@@ -27,7 +27,7 @@ struct TrustRow {
 };
 std::vector<TrustRow> trust_rows(const TrustReport& report);  ///< those that are done
 
-const char* name_of(TrustState state);  ///< "holds", "fails", "not asked"
+const char* name_of(TrustState state);  ///< "holds", "fails", "does not apply"
 
 /// "5 of 6 checks hold, 1 does not apply." What is not asked does not count against the answer.
 TrustSentence trust_verdict(const TrustReport& report);

@@ -15,7 +15,8 @@ std::string figure(double value) {
     if (size >= 100.0) return fmt::format("{:.0f}", value);
     if (size >= 10.0) return fmt::format("{:.1f}", value);
     if (size >= 1.0) return fmt::format("{:.2f}", value);
-    return size < 1e-12 ? "0" : fmt::format("{:.2g}", value);
+    if (size < 1e-12) return "0";
+    return size < 1e-4 ? "<0.0001" : fmt::format("{:.2g}", value);
 }
 
 std::string percent(double share) { return figure(100.0 * share); }
@@ -105,13 +106,15 @@ TrustRow reciprocity_row(const TrustReport& report) {
     if (const ReciprocityTrust::Pair* const worst = trust.worst()) {
         const Scene& scene = *report.solution->scene;
         row.found = {
-            "{} of {} pairs of large faces agree; worst {} and {}: of 1 lm/m2, {} lm one way and {} lm back, "
-            "{} % apart",
+            "{} of {} pairs of large faces agree; worst {} and {}: of 1 lm/m2, {} lm arrive one way and {} lm the "
+            "other, {} % apart",
             {std::to_string(trust.within()), std::to_string(trust.pairs.size()), face_name(scene, worst->a),
              face_name(scene, worst->b), figure(worst->there), figure(worst->back),
              of_all(std::abs(worst->there - worst->back), 0.5 * (worst->there + worst->back))}};
-        row.allowed = {"95 of 100 within their error bars, told from patches twice as wide; there {} %",
-                       {of_all(worst->error, 0.5 * (worst->there + worst->back))}};
+        row.allowed = {
+            "95 of 100 within their error bars, told from patches twice as wide, and the accuracy of form factors; "
+            "there {} %",
+            {of_all(worst->error, 0.5 * (worst->there + worst->back))}};
     }
     row.notes.push_back(
         {"Form factors of single patches, from either end, are {} % apart ({} pairs). In this light "
@@ -131,9 +134,9 @@ TrustRow closure_row(const TrustReport& report) {
     if (!trust.asked) return row;
     const Vec3& place = trust.greatest_place;
     row.found = {
-        "of what leaves a patch {} to {} arrives at others (1 is all; most at ({}, {}, {})); in the mean {} % of "
-        "interreflected light is misplaced by it",
-        {fmt::format("{:.6g}", trust.least), fmt::format("{:.6g}", trust.greatest), fmt::format("{:.2f}", place.x),
+        "Of the light that leaves a patch, {} to {} arrives at others (1 is all of it; most at ({}, {}, {})); this "
+        "misplaces {} % of interreflected light in the mean",
+        {fmt::format("{:.4f}", trust.least), fmt::format("{:.4f}", trust.greatest), fmt::format("{:.2f}", place.x),
          fmt::format("{:.2f}", place.y), fmt::format("{:.2f}", place.z), percent(trust.misplaced)}};
     row.allowed = {"{} %: the error bar of the mean interreflected light", {percent(trust.figure().allowed)}};
     row.notes.push_back(

@@ -11,7 +11,8 @@
 namespace hanei {
 namespace {
 
-/// The light of every luminaire that arrives on patches, by means over them with their errors.
+/// What of the answer's direct light arrives on patches; the errors of means over them, and whose light is missing,
+/// are asked for once more, one luminaire after another.
 std::optional<DirectTrust> direct_trust(const Solution& solution, const Work& work) {
     const Mesh& mesh = *solution.mesh;
     const OccluderSet* const occluders =
@@ -21,6 +22,8 @@ std::optional<DirectTrust> direct_trust(const Solution& solution, const Work& wo
     for (const Patch& patch : mesh.patches) polygons.push_back({patch.outline, mesh.faces[patch.face].face.normal});
     DirectTrust trust;
     trust.open = !solution.scene->room;
+    for (std::size_t p = 0; p < mesh.patches.size(); ++p)
+        trust.arrived += mesh.patches[p].area * solution.patch_direct[p];
     for (const WeightedEmitter& weighted : emitters_of(*solution.scene)) {
         const auto means = mean_direct_estimates(weighted.emitter, polygons, occluders, accuracy, work);
         if (!means) return std::nullopt;
@@ -38,7 +41,6 @@ std::optional<DirectTrust> direct_trust(const Solution& solution, const Work& wo
         const double emitted = weighted.share * weighted.emitter.flux().value;
         const double missing = emitted - weighted.share * (arrived + on_luminaires);
         trust.emitted += emitted;
-        trust.arrived += weighted.share * arrived;
         trust.on_luminaires += weighted.share * on_luminaires;
         trust.error += weighted.share * error;
         if (std::abs(missing) <= std::abs(trust.worst_missing)) continue;

@@ -13,6 +13,8 @@
 namespace hanei {
 namespace {
 
+constexpr double twice = 2.0;             // as wide: what error bars are told from
+constexpr double of_a_factor = 2e-4;      // factor_rows.h: how exact one is
 constexpr int summed_one_by_one = 20;     // reflections (balance.h): then the last is on its way
 constexpr std::size_t most_faces = 6;     // that pass light to each other
 constexpr std::size_t most_patches = 64;  // compared one by one
@@ -104,7 +106,7 @@ double ExchangeTrust::mean_reflectance() const {
 
 bool ExchangeTrust::solve() {
     StageClock clock(work_.progress);
-    coarse_.cut(solution_.coarse_mesh, solution_.settings.method);
+    coarse_.cut(*solution_.scene, twice * solution_.patch_width, solution_.settings.method, solution_.plan.black);
     const auto coarse = coarse_.solve(input(), work_, clock);
     if (!coarse) return false;
     level_.cut(solution_.mesh, solution_.settings.method);
@@ -215,17 +217,18 @@ std::optional<ExchangeTrust::Passed> ExchangeTrust::passed(Level& level, const M
 
 std::optional<ReciprocityTrust> ExchangeTrust::reciprocity() {
     ReciprocityTrust trust;
-    trust.asked = level_.rows() != nullptr && solution_.coarse_mesh;
+    trust.asked = level_.rows() != nullptr;
     if (!trust.asked) return trust;
     trust.gain = solution_.closure;
     trust.misplaced = solution_.reflected_error;
     if (!pair_by_pair(trust)) return std::nullopt;
 
     const std::vector<SurfaceRef> faces = largest_faces(*solution_.mesh);
+    const std::shared_ptr<const Mesh> wide = coarse_.now().mesh;
     std::vector<Passed> fine, rough;
     for (const SurfaceRef& face : faces) {
         auto by_fine = passed(level_, *solution_.mesh, face, faces);
-        auto by_rough = by_fine ? passed(coarse_, *solution_.coarse_mesh, face, faces) : std::nullopt;
+        auto by_rough = by_fine ? passed(coarse_, *wide, face, faces) : std::nullopt;
         if (!by_rough) return std::nullopt;
         fine.push_back(std::move(*by_fine));
         rough.push_back(std::move(*by_rough));
@@ -243,7 +246,7 @@ std::optional<ReciprocityTrust> ExchangeTrust::reciprocity() {
         parts.coarse = rough[a].to[b];
         parts.typical_mesh_error = typical;
         parts.reflected_error = fine[a].misplaced;
-        return value_from(parts).error.total();
+        return value_from(parts).error.total() + of_a_factor * fine[a].to[b];
     };
     for (std::size_t a = 0; a < faces.size(); ++a)
         for (std::size_t b = a + 1; b < faces.size(); ++b) {
@@ -315,7 +318,7 @@ bool ExchangeTrust::compare_with_seen(ClosureTrust& trust) {
     trust.greatest = *greatest;
     trust.greatest_place = all[static_cast<std::size_t>(greatest - used->begin())].position;
     const double lost = 1.0 - mean_reflectance();
-    trust.misplaced = whole > 0.0 && lost > 0.0 ? apart / whole / lost : 0.0;
+    trust.misplaced = mean_ > 0.0 && whole > 0.0 && lost > 0.0 ? apart / whole / lost : 0.0;  // of no light nothing is
     return true;
 }
 

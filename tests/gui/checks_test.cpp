@@ -71,6 +71,7 @@ public:
     }
     const Workbench& workbench() const { return desk_.workbench(); }
     const ValidationDialog& validation() const { return workbench().checks().validation; }
+    const TrustDialog& trust() const { return workbench().checks().trust; }
     const MeasuredDialog& measured() const { return workbench().checks().measured; }
 
 private:
@@ -133,6 +134,39 @@ TEST(Checks, a_run_that_fails_says_why_and_closes) {
     EXPECT_FALSE(desk.validation().validation());
     ASSERT_TRUE(desk.click("validation.close"));
     EXPECT_FALSE(desk.validation().is_open());
+}
+
+TEST(Checks, the_answer_is_checked_from_the_results_menu_and_told_as_text_and_json) {
+    Checking desk(quick_run, 600.0, {2.0F, 1920.0F, 1080.0F, Language::japanese});
+    ASSERT_TRUE(desk.wait_until([&] { return desk.workbench().study().settled(); }));
+    ASSERT_TRUE(desk.click("menu.Results"));
+    ASSERT_TRUE(desk.click("results.trust"));
+    EXPECT_TRUE(desk.trust().is_open());
+    ASSERT_TRUE(desk.trust().report());
+    EXPECT_TRUE(desk.trust().report()->holds()) << trust_text(*desk.trust().report());
+    EXPECT_EQ(desk.trust().done(), TrustReport::checks);
+    EXPECT_NE(desk.find("trust.verdict"), nullptr);
+    ASSERT_TRUE(desk.click("trust.copy"));
+    EXPECT_EQ(std::string(ImGui::GetClipboardText()), trust_text(*desk.trust().report()));
+    ASSERT_TRUE(desk.click("trust.json"));
+    EXPECT_EQ(std::string(ImGui::GetClipboardText()), trust_json(*desk.trust().report()));
+    ASSERT_TRUE(desk.click("trust.close"));
+    EXPECT_FALSE(desk.trust().is_open());
+}
+
+TEST(Checks, a_check_of_the_answer_runs_beside_the_frames_and_can_be_stopped) {
+    Checking desk(quick_run, 0.0);
+    ASSERT_TRUE(desk.wait_until([&] { return desk.workbench().study().settled(); }));
+    ASSERT_TRUE(desk.click("menu.Results"));
+    ASSERT_TRUE(desk.click("results.trust"));
+    if (desk.trust().busy()) {
+        ASSERT_TRUE(desk.click("trust.cancel"));
+        EXPECT_FALSE(desk.trust().busy());
+        EXPECT_FALSE(desk.trust().report());
+        EXPECT_NE(desk.find("trust.again"), nullptr);
+    }
+    ASSERT_TRUE(desk.click("trust.close"));
+    EXPECT_FALSE(desk.trust().is_open());
 }
 
 class Measured : public testing::Test {

@@ -160,6 +160,7 @@ enum class CommandId {
     compare_measured,
     study_accuracy,
     check_scene,
+    check_answer,
     command_search,
     show_keys,
     show_validation,

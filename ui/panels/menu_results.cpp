@@ -1,4 +1,5 @@
 #include "engine/edit/edit.h"
+#include "ui/panels/checks.h"
 #include "ui/panels/workbench.h"
 
 #include <array>
@@ -70,6 +71,12 @@ constexpr std::array table{
             "Check the scene",
             "List what is wrong with the scene and what is hard in it; a click on a message selects the object",
             {}},
+    Command{check_answer,
+            "results.trust",
+            "Results",
+            "Check this answer...",
+            "What must hold of any right answer: energy, reciprocity, closure, additivity, the same on any threads",
+            {}},
 };
 
 }  // namespace
@@ -85,6 +92,7 @@ bool Workbench::can_results(CommandId id) const {
             return viewport_.probe().has_value() || point;
         case CommandId::keep_a:
         case CommandId::keep_b:
+        case CommandId::check_answer:
             return study_.answer() != nullptr;
         case CommandId::compare_measured:
             return study_.answer() != nullptr && door_.read_measured;
@@ -151,6 +159,8 @@ void Workbench::do_results(CommandId id) {
         case CommandId::study_accuracy:
             readings_.front_tab = "Study";
             return;
+        case CommandId::check_answer:
+            return checks_->trust.open(study_.answer()->scene, study_.answer()->settings);
         default:
             return;
     }

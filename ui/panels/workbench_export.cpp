@@ -183,7 +183,7 @@ void Workbench::save_exact() {
 
 bool Workbench::is_busy() const {
     return study_.busy() || exact_.busy() || file_work_.busy() || export_.busy() || recording_.is_writing() ||
-           checks_->validation.busy() || readings_.study.busy();
+           checks_->validation.busy() || checks_->trust.busy() || readings_.study.busy();
 }
 
 std::optional<Task> Workbench::running_task() {
