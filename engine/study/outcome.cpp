@@ -29,6 +29,20 @@ double closure_error(const Solution& solution) {
     return first > 0.0 ? likely * solution.closure * (first + all) / first : 0.0;
 }
 
+/// More light passes between surfaces than any room could keep: each reflection leaves at most the greatest
+/// reflectance of it, so that all together are at most 1 / (1 - that) of what leaves first.
+bool is_beyond_any_room(const Solution& solution) {
+    const PerPatch<double> reflectance = reflectances(*solution.mesh, *solution.scene);
+    double first = 0.0, received = 0.0, greatest = 0.0;
+    for (std::size_t p = 0; p < solution.mesh->patches.size(); ++p) {
+        const Patch& patch = solution.mesh->patches[p];
+        first += patch.area * (patch.own_exitance.value + reflectance.all()[p] * solution.patch_direct[p]);
+        received += patch.area * solution.patch_interreflected[p];
+        greatest = std::max(greatest, reflectance.all()[p]);
+    }
+    return !(received * (1.0 - greatest) <= first);  // what is no number is beyond as well
+}
+
 }  // namespace
 
 void take_answer(Solution& solution, const Level& level, const LevelAnswer& answer) {
@@ -78,7 +92,13 @@ void note_divergence(Solution& solution) {
     constexpr double rounding = 1e-6;  // of form factors kept as floats
     const std::string sum = std::to_string(solution.greatest_row_sum);
     if (!solution.refusal.empty()) return;
-    if (is_of_the_paper(solution.settings.method) && solution.greatest_row_sum > 1.0 + rounding) {
+    const bool too_large = is_of_the_paper(solution.settings.method) && solution.greatest_row_sum > 1.0 + rounding;
+    if (too_large && is_beyond_any_room(solution)) {
+        solution.notes.push_back("Divergent: the paper's form factors add up to more than 1 (with the reflectance, " +
+                                 sum +
+                                 "), where grid points all but touch, and light grows from reflection to reflection. "
+                                 "The interreflected figures here are no light. Use method patch.");
+    } else if (too_large) {
         solution.notes.push_back("The paper's form factors add up to more than 1 (with the reflectance, " + sum +
                                  "): interreflection is wrong where patches come close. Use method patch.");
     } else if (!solution.converged && solution.bounces >= solution.settings.bounces) {

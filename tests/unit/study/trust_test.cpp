@@ -81,6 +81,21 @@ TEST(Trust, point_to_point_factors_in_a_gap_fail_by_energy_and_by_closure) {
     EXPECT_TRUE(report_of(scene, Method::patch, 4).holds());
 }
 
+TEST(Trust, light_that_grows_from_reflection_to_reflection_is_called_divergent) {
+    Scene scene = test::small_office();
+    scene.furniture.push_back(
+        test::box(scene, {5.54, 2.0, 0.0}, {0.9, 2.4, 1.4}));  // 1 cm off the wall, point on point
+    Settings settings = coarse_settings(Method::paper);
+    const auto paper = Study().run(snapshot(scene), settings, {}, Work{});
+    ASSERT_FALSE(paper->notes.empty());
+    EXPECT_EQ(paper->notes.back().rfind("Divergent", 0), 0U) << paper->notes.back();
+    for (const Method method : {Method::patch, Method::paper_closed}) {
+        settings.method = method;
+        const auto closed = Study().run(snapshot(scene), settings, {}, Work{});
+        for (const std::string& note : closed->notes) EXPECT_NE(note.rfind("Divergent", 0), 0U) << note;
+    }
+}
+
 TEST(Trust, faces_that_do_not_light_each_other_alike_fail) {
     ReciprocityTrust trust = report_of(test::small_office()).reciprocity;
     ASSERT_EQ(trust.figure().state(), TrustState::holds);
