@@ -7,7 +7,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export XDG_STATE_HOME="$scratch/state"
 mkdir -p assets/frontier
-for room in computer-room-panels office painted-room; do
+for room in empty-room computer-room-panels office; do
   echo "== $room"
   build/release/hanei study "assets/rooms/$room.hanei" --budget "${1:-120}" --out "$scratch/$room"
   cp "$scratch/$room/accuracy-time.svg" "assets/frontier/$room.svg"
