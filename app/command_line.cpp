@@ -222,6 +222,8 @@ void add_plan(CLI::App& app, Arguments& arguments) {
     CLI::App* command = app.add_subcommand("plan", "Show which effects the scene calls for, and why");
     add_project(*command, arguments.plan.project);
     command->add_option("--json", arguments.plan.json, "Write the plan here");
+    command->add_flag("--measure", arguments.plan.measure,
+                      "Solve with and without each effect: what it really adds and takes here");
     arguments.common.add_to(*command);
 }
 

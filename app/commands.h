@@ -61,6 +61,7 @@ struct PlanRequest {
     std::filesystem::path project;
     std::optional<std::filesystem::path> json;
     SettingsChange change;
+    bool measure = false;  ///< what each effect really adds and takes
 };
 int plan_command(const PlanRequest& request);
 

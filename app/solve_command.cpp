@@ -4,7 +4,9 @@
 #include "app/files.h"
 #include "app/light_commands.h"
 #include "app/photometry_command.h"
+#include "engine/base/tiles.h"
 #include "engine/project/measured_file.h"
+#include "engine/report/effect_trials_report.h"
 #include "engine/report/measured_report.h"
 #include "engine/report/report.h"
 #include "engine/report/report_json.h"
@@ -94,7 +96,15 @@ int plan_command(const PlanRequest& request) {
     request.change(project->settings);
     const EffectsPlan plan = plan_effects(project->scene, project->settings);
     std::fputs(plan_text(plan).c_str(), stdout);
-    if (request.json) write_text(*request.json, plan_json(plan));
+    if (!request.measure) {
+        if (request.json) write_text(*request.json, plan_json(plan));
+        return exit_done;
+    }
+    const int threads = project->settings.threads > 0 ? project->settings.threads : hardware_threads();
+    const auto scene = std::make_shared<const Scene>(std::move(project->scene));
+    const auto trials = try_effects(scene, project->settings, Work{threads});
+    std::fputs(trials_text(*trials).c_str(), stdout);
+    if (request.json) write_text(*request.json, plan_json(plan, *trials));
     return exit_done;
 }
 

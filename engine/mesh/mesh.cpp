@@ -6,6 +6,7 @@
 #include "engine/mesh/face_parts.h"
 #include "engine/mesh/free_sector.h"
 #include "engine/mesh/place_index.h"
+#include "engine/plan/plan.h"
 
 #include <algorithm>
 

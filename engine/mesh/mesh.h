@@ -86,9 +86,6 @@ enum class Grading : std::uint8_t {
     crowded   ///< as many, but crowding towards the face's borders, where interreflected light bends most
 };
 
-/// How many times wider the patches of surfaces that pass no light on may be.
-inline constexpr double wider_when_black = 4.0;
-
 /// Meshes every face. `max_patch` is the wished patch width in metres; of a crowded grid the mean. Of the
 /// objects named `black` it is wider_when_black times that.
 std::shared_ptr<const Mesh> make_mesh(const Scene& scene, double max_patch, Grading grading = Grading::uniform,

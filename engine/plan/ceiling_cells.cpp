@@ -132,10 +132,11 @@ CeilingCell cell_of_rectangle(const Vec3& corner, const Vec3& along, const Vec3&
 std::vector<CeilingCell> ceiling_cells(const Scene& scene, std::span<const Face> faces) {
     std::map<ObjectId, bool> is_furniture;
     for (const Furniture& piece : scene.furniture) is_furniture[piece.id] = true;
-    double area = 0.0;
+    double area = 0.0, of_furniture = 0.0;
     for (const Face& face : faces)
-        if (!is_furniture.contains(face.ref.object)) area += glm::length(vector_area(face.region));
-    const double width = std::sqrt(std::max(area, 1e-300) / rectangles_aimed_at);
+        (is_furniture.contains(face.ref.object) ? of_furniture : area) += glm::length(vector_area(face.region));
+    constexpr double of_many = 4.0;  // so many more rectangles where there is hardly anything but furniture
+    const double width = std::sqrt(std::max({area, of_furniture / of_many, 1e-300}) / rectangles_aimed_at);
 
     std::vector<CeilingCell> cells;
     std::map<ObjectId, std::vector<const Face*>> pieces;

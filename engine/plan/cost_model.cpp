@@ -23,6 +23,8 @@ double area_of(const Face& face) { return glm::length(vector_area(face.region));
 
 }  // namespace
 
+double CostModel::patches_of(double area, double width) { return std::max(1.0, std::round(area / (width * width))); }
+
 double CostModel::direct_ms() const {
     return 1e-6 * ns_light_at_a_point * points_a_patch * receivers * luminaires / threads;
 }
@@ -39,9 +41,8 @@ double CostModel::bounces_ms(int bounces) const {
 
 CostModel cost_model(const Scene& scene, const Settings& settings, std::span<const Face> faces) {
     CostModel model;
-    for (const Face& face : faces) {
-        model.patches += std::max(1.0, std::round(area_of(face) / (settings.max_patch * settings.max_patch)));
-    }
+    model.width = settings.max_patch;
+    for (const Face& face : faces) model.patches += CostModel::patches_of(area_of(face), model.width);
     model.receivers = model.patches + static_cast<double>(scene.points.size());
     for (const CalculationGrid& grid : scene.grids) {
         if (!(grid.spacing > 0.0)) continue;

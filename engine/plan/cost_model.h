@@ -10,11 +10,14 @@ namespace hanei {
 
 /// Predictions of the plan. Good to a factor of three: enough to see what is worth skipping.
 struct CostModel {
+    double width = 0.0;      ///< m, of patches
     double patches = 0.0;    ///< sum over faces of area / width^2, at least 1 each
     double receivers = 0.0;  ///< patches, and points of grids
     double luminaires = 0.0;
     double obstacles = 0.0;  ///< opaque bodies
     double threads = 1.0;
+
+    static double patches_of(double area, double width);  ///< at least 1
 
     double direct_ms() const;  ///< all luminaires, no shadow tests
     double direct_occlusion_ms() const;

@@ -1,19 +1,16 @@
 #include "engine/plan/plan.h"
 
-#include "engine/base/check.h"
-#include "engine/geometry/polygon.h"
 #include "engine/plan/colour_reason.h"
 #include "engine/plan/cost_model.h"
 #include "engine/plan/light_bounds.h"
 #include "engine/plan/measured_openings.h"
 #include "engine/plan/places.h"
+#include "engine/plan/planned_pieces.h"
 #include "engine/plan/skipping.h"
-#include "engine/scene/colour.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 namespace hanei {
 
@@ -93,8 +90,11 @@ private:
         return std::any_of(effect_options.begin(), effect_options.end(),
                            [&](const EffectOption& option) { return settings_.*option.member == choice; });
     }
-    double bound_of(const LeavingLight& missing) const {
-        return skipping_ ? greatest(skipping_->bounds_of(missing)) : not_asked;
+    /// Of a row or a piece.
+    template <class Planned>
+    void take_bounds(Planned& planned, std::vector<double> bounds) const {
+        planned.bound_lux = greatest(bounds);
+        if (skipping_->are_points()) planned.bound_at_points = std::move(bounds);
     }
     void leave_out(EffectsPlan& plan, LeavingLight missing, std::span<const double> bounds) const {
         plan.missing = std::make_shared<const MissingLight>(MissingLight{ceiling_, std::move(missing)});
@@ -126,12 +126,14 @@ private:
             const SkipCandidate all{ceiling_->leaving(), made.predicted_ms, settings_.interreflection};
             const std::vector<double> bounds = skipping_->bounds_of(all.missing);
             const bool anywhere = made.bound_lux <= settings_.tolerance_lux;  // whatever the ceiling says
-            made.bound_lux = std::min(made.bound_lux, greatest(bounds));
+            take_bounds(made, bounds);
+            const double uniform = light_.interreflected_after(0);
+            made.bound_lux = std::min(made.bound_lux, uniform);
+            for (double& lux : made.bound_at_points) lux = std::min(lux, uniform);
             const auto chosen = skipping_->choose(std::span(&all, 1), settings_.tolerance_lux);
             if (chosen.skipped[0] ||
                 (anywhere && all.choice == EffectChoice::by_bound && settings_.tolerance_lux > 0.0)) {
                 made.state = EffectState::skipped;
-                if (skipping_->are_points()) made.bound_at_points = bounds;
                 plan.uniform_lux = light_.interreflected_after(0);
                 leave_out(plan, all.missing, bounds);
                 made.why = "It adds at most " + figure(made.bound_lux) + " lx " + where() + " (" + rests_on + "), " +
@@ -199,7 +201,7 @@ private:
         return row(Effect::opening_size, EffectState::simulated, openings.why, cost_.direct_ms());
     }
 
-    PlannedEffect colour(EffectState between) const {
+    PlannedEffect colour(EffectState between) {
         const ColourReason reason = colour_reason(scene_);
         if (!reason.coloured) return absent(Effect::three_bands, reason.why);
         // Of the three bands' products the first is that of interreflection itself.
@@ -207,53 +209,35 @@ private:
                                  between == EffectState::simulated ? 2.0 * cost_.bounces_ms(bounces_needed()) : 0.0);
         made.may_be_skipped = between == EffectState::simulated;
         made.bound_lux = not_asked;
-        if (made.may_be_skipped && skipping_) made.bound_lux = bound_of(ceiling_->without_colour());
+        if (made.may_be_skipped && skipping_) {
+            colour_light_ = ceiling_->without_colour();
+            take_bounds(made, skipping_->bounds_of(colour_light_));
+        }
         made.why += who(settings_.colour);
         return made;
     }
 
     /// Every piece, its bound when it was asked for.
-    PlannedEffect furniture(EffectState between) const {
+    PlannedEffect furniture(EffectState between) {
         constexpr Effect effect = Effect::furniture;
         if (scene_.furniture.empty()) return absent(effect, "There is no furniture.");
         if (between != EffectState::simulated) return absent(effect, "Light between surfaces is not simulated.");
-        std::map<ObjectId, PlannedPiece> pieces;
-        for (const Furniture& each : scene_.furniture) pieces[each.id].name = each.name;
-        double all = 0.0;
-        for (const Face& face : faces_) {
-            const double area = glm::length(vector_area(face.region));
-            all += area;
-            const auto found = pieces.find(face.ref.object);
-            if (found == pieces.end()) continue;
-            found->second.area += area;
-            found->second.reflectance = std::max(found->second.reflectance, reflectance_of(face));
-        }
         PlannedEffect made = row(effect, EffectState::simulated, "", 0.0);
         made.may_be_skipped = true;
         made.bound_lux = skipping_ ? 0.0 : not_asked;
-        for (const Furniture& each : scene_.furniture) {
-            PlannedPiece piece = pieces[each.id];
-            piece.object = each.id;
-            // Rows and columns of its patches, all but a few: twice its share of the pairs.
-            piece.predicted_ms =
-                2.0 * (cost_.factors_ms() + cost_.patch_occlusion_ms()) * piece.area / std::max(all, 1e-300);
-            piece.bound_lux = skipping_ ? bound_of(ceiling_->without_reflection_of(each.id)) : not_asked;
-            made.bound_lux = std::max(made.bound_lux, piece.bound_lux);
+        made.pieces = planned_pieces(scene_, faces_, cost_);
+        for (PlannedPiece& piece : made.pieces) {
             made.predicted_ms += piece.predicted_ms;
-            made.pieces.push_back(std::move(piece));
+            piece.bound_lux = not_asked;
+            if (!skipping_) continue;
+            piece_light_.push_back(ceiling_->without_reflection_of(piece.object));
+            take_bounds(piece, skipping_->bounds_of(piece_light_.back()));
+            made.bound_lux = std::max(made.bound_lux, piece.bound_lux);
+            made.bound_at_points.resize(piece.bound_at_points.size(), 0.0);
+            for (std::size_t k = 0; k < piece.bound_at_points.size(); ++k)
+                made.bound_at_points[k] = std::max(made.bound_at_points[k], piece.bound_at_points[k]);
         }
         return made;
-    }
-
-    double reflectance_of(const Face& face) const {
-        double greatest = 0.0;
-        const auto include = [&](ObjectId id) {
-            if (const Material* material = find_material(scene_, id))
-                for (const double band : band_reflectances(*material)) greatest = std::max(greatest, band);
-        };
-        include(face.material);
-        for (const FaceArea& area : face.areas) include(area.material);
-        return greatest;
     }
 
     /// Colour and single pieces of furniture, once interreflection is simulated.
@@ -263,10 +247,9 @@ private:
         std::vector<SkipCandidate> candidates;
         const bool coloured = bands.state == EffectState::simulated;
         if (skipping_) {
-            if (coloured) candidates.push_back({ceiling_->without_colour(), bands.predicted_ms, settings_.colour});
-            for (const PlannedPiece& piece : pieces.pieces)
-                candidates.push_back(
-                    {ceiling_->without_reflection_of(piece.object), piece.predicted_ms, settings_.furniture});
+            if (coloured) candidates.push_back({colour_light_, bands.predicted_ms, settings_.colour});
+            for (std::size_t p = 0; p < pieces.pieces.size(); ++p)
+                candidates.push_back({piece_light_[p], pieces.pieces[p].predicted_ms, settings_.furniture});
         }
         std::size_t skipped_pieces = 0;
         if (!candidates.empty()) {
@@ -276,7 +259,6 @@ private:
                 bands.state = EffectState::skipped;
                 bands.why += " In one band the photometric figures differ by at most " + figure(bands.bound_lux) +
                              " lx " + where() + ".";
-                if (skipping_->are_points()) bands.bound_at_points = skipping_->bounds_of(candidates[0].missing);
             }
             LeavingLight of_pieces;
             for (PlannedPiece& piece : pieces.pieces) {
@@ -287,9 +269,7 @@ private:
                 of_pieces += candidates[k - 1].missing;
             }
             if (skipped_pieces > 0) {
-                const std::vector<double> bounds = skipping_->bounds_of(of_pieces);
-                pieces.bound_lux = greatest(bounds);
-                if (skipping_->are_points()) pieces.bound_at_points = bounds;
+                take_bounds(pieces, skipping_->bounds_of(of_pieces));
             }
             if (skipped_pieces > 0 || bands.state == EffectState::skipped)
                 leave_out(plan, chosen.missing, chosen.bound);
@@ -342,71 +322,14 @@ private:
     CostModel cost_;
     std::shared_ptr<const LightCeiling> ceiling_;
     std::optional<Skipping> skipping_;
+    LeavingLight colour_light_;              ///< that one band may leave out
+    std::vector<LeavingLight> piece_light_;  ///< that each piece reflects
 };
 
 }  // namespace
 
-const PlannedEffect& EffectsPlan::row(Effect effect) const {
-    const auto found = std::find_if(effects.begin(), effects.end(),
-                                    [effect](const PlannedEffect& planned) { return planned.effect == effect; });
-    HANEI_CHECK(found != effects.end());
-    return *found;
-}
-
-double EffectsPlan::skipped_at(const Vec3& position, const Vec3& normal) const {
-    return missing ? std::min(missing->at(position, normal), uniform_lux) : 0.0;
-}
-
 EffectsPlan plan_effects(const Scene& scene, const Settings& settings, PlanDetail detail) {
     return Planner(scene, settings, detail).plan();
-}
-
-const EffectOption* option_of(Effect effect) {
-    EffectChoice Settings::*const member = effect == Effect::interreflection ? &Settings::interreflection
-                                           : effect == Effect::furniture     ? &Settings::furniture
-                                           : effect == Effect::three_bands   ? &Settings::colour
-                                                                             : nullptr;
-    for (const EffectOption& option : effect_options)
-        if (member != nullptr && option.member == member) return &option;
-    return nullptr;
-}
-
-std::string_view name_of(Effect effect) {
-    switch (effect) {
-        case Effect::occlusion_direct:
-            return "direct shadows";
-        case Effect::penumbra:
-            return "penumbra";
-        case Effect::interreflection:
-            return "interreflection";
-        case Effect::occlusion_patches:
-            return "shadows between surfaces";
-        case Effect::bounces:
-            return "bounces";
-        case Effect::opening_size:
-            return "size of openings";
-        case Effect::three_bands:
-            return "colour bands";
-        case Effect::furniture:
-            return "furniture as reflector";
-        case Effect::closure:
-            return "closure";
-        case Effect::daylight:
-            return "daylight";
-    }
-    return "";
-}
-
-std::string_view name_of(EffectState state) {
-    switch (state) {
-        case EffectState::simulated:
-            return "simulated";
-        case EffectState::skipped:
-            return "skipped";
-        case EffectState::not_present:
-            return "not present";
-    }
-    return "";
 }
 
 }  // namespace hanei

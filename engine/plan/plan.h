@@ -29,15 +29,19 @@ enum class Effect {
 
 enum class EffectState { simulated, skipped, not_present };
 
+/// How many times wider the patches of surfaces that pass no light on may be.
+inline constexpr double wider_when_black = 4.0;
+
 /// A piece of furniture as a reflector.
 struct PlannedPiece {
     ObjectId object;
     std::string name;
     EffectState state = EffectState::simulated;
-    double bound_lux = 0.0;     ///< lx that its reflected light adds at any calculation point at most
-    double reflectance = 0.0;   ///< the greatest of its faces: with its area what the paper decides by
-    double area = 0.0;          ///< m2
-    double predicted_ms = 0.0;  ///< what skipping it saves
+    double bound_lux = 0.0;                    ///< lx that its reflected light adds at any calculation point at most
+    double reflectance = 0.0;                  ///< the greatest of its faces: with its area what the paper decides by
+    double area = 0.0;                         ///< m2
+    double predicted_ms = 0.0;                 ///< what skipping it saves
+    std::vector<double> bound_at_points = {};  ///< as of the row
     bool operator==(const PlannedPiece&) const = default;
 };
 
@@ -51,12 +55,14 @@ struct PlannedEffect {
     /// cut off by the settings: what those after the last add at most (the iteration part of error
     /// bars says how much it is, so it is not among the skipped).
     double bound_lux = 0.0;
-    double predicted_ms = 0.0;                 ///< cost if simulated; filled from a cost model
-    double measured_ms = -1.0;                 ///< filled after the study; negative while unknown
-    int count = 0;                             ///< bounces: how many are needed for the accuracy, a priori
-    bool may_be_skipped = false;               ///< settings have a choice for it
-    std::vector<PlannedPiece> pieces = {};     ///< of furniture
-    std::vector<double> bound_at_points = {};  ///< lx, of what is skipped at each calculation point while they are few
+    double predicted_ms = 0.0;              ///< cost if simulated; filled from a cost model
+    double measured_ms = -1.0;              ///< filled after the study; negative while unknown
+    int count = 0;                          ///< bounces: how many are needed for the accuracy, a priori
+    bool may_be_skipped = false;            ///< settings have a choice for it
+    std::vector<PlannedPiece> pieces = {};  ///< of furniture
+    /// lx at each calculation point, points first and then grids, row by row; empty when they are many. Of
+    /// furniture: what all skipped pieces leave out; when none is skipped, any single one.
+    std::vector<double> bound_at_points = {};
     bool operator==(const PlannedEffect&) const = default;
 };
 

@@ -405,10 +405,23 @@ std::optional<LevelAnswer> Level::solve(const LevelInput& input, const Work& wor
     return answer;
 }
 
+/// Where interreflection is not followed: what surfaces would reflect is sent and arrives nowhere.
+static FluxAccount account_of_direct(const Mesh& mesh, const Scene& scene, std::span<const double> direct) {
+    FluxAccount account;
+    const PerPatch<double> reflectance = reflectances(mesh, scene);
+    for (std::size_t p = 0; p < mesh.patches.size(); ++p) {
+        const double arriving = mesh.patches[p].area * direct[p];
+        account.direct += arriving;
+        account.sent += reflectance.all()[p] * arriving;
+    }
+    account.absorbed = account.direct - account.sent;
+    return account;
+}
+
 std::optional<FluxAccount> Level::flux(const LevelAnswer& answer, const Scene& scene, const EffectsPlan& plan,
                                        const Work& work) {
+    if (answer.parts.empty()) return account_of_direct(*cut_.mesh, scene, answer.patch_direct);
     FluxAccount total;
-    if (answer.parts.empty()) return total;
     const std::vector<double>* const sums = row_sums_.get(rows_.version(), [&] { return rows_.now()->row_sums(work); });
     if (!sums) return std::nullopt;
     const std::vector<double> areas = unknown_areas(), own = own_exitances(), none(areas.size(), 0.0);

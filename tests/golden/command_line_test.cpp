@@ -108,6 +108,16 @@ TEST_F(CommandLine, plan_says_why_for_every_effect) {
         EXPECT_NE(out_.find(word), std::string::npos) << word;
 }
 
+TEST_F(CommandLine, plan_measures_what_effects_really_add_and_take) {
+    const auto json = scratch("plan.json");
+    ASSERT_EQ(run({"plan", rooms + "painted-room.hanei", "--max-patch", "1.5", "--measure", "--json", json}), exit_done)
+        << err_;
+    for (const char* word :
+         {"ms with everything", "51 calculation points", "\nshadows between surfaces ", "\ncolour bands "})
+        EXPECT_NE(out_.find(word), std::string::npos) << word;
+    EXPECT_NE(content(json).find("\"change_lx\""), std::string::npos);
+}
+
 TEST_F(CommandLine, photometry_prints_a_section_for_each_luminaire_of_a_container) {
     const std::string luminaires = HANEI_SOURCE "/tests/golden/luminaires/";
     const auto json = scratch("two.json");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/panels/compare_panel.h"
+#include "ui/panels/effects_panel.h"
 #include "ui/panels/histogram_panel.h"
 #include "ui/panels/label_layer.h"
 #include "ui/panels/preset_rows.h"
@@ -26,6 +27,7 @@ struct Readings {
     ProfilePanel profile;
     HistogramPanel histogram;
     StudyPanel study;
+    EffectsPanel effects;
     PresetRows presets;
     std::function<void()> wake{};  ///< wants another frame
     std::string front_tab{};       ///< of the bottom panel, to come to the front in this frame; empty: stay

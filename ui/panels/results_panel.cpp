@@ -3,12 +3,12 @@
 #include "engine/edit/edit.h"
 #include "ui/panels/elided.h"
 #include "ui/panels/form.h"
-#include "ui/panels/icon.h"
 #include "ui/panels/illuminance_text.h"
 #include "ui/panels/language.h"
 #include "ui/panels/live_study.h"
 #include "ui/panels/probe.h"
 #include "ui/panels/style.h"
+#include "ui/panels/table_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,60 +17,6 @@
 
 namespace hanei {
 namespace {
-
-constexpr int table_look =
-    ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
-
-struct Column {
-    const char* title;
-    float share;
-    const char* help;
-    bool figures = false;  ///< right-aligned
-};
-
-void to_right(const char* text) {
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text).x;
-    if (room > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
-}
-
-/// A title that ends in the unit ends in the one that is shown.
-std::string in_shown_unit(const char* title) {
-    std::string shown = tr(title);
-    if (shown.ends_with("lx")) shown.replace(shown.size() - 2, 2, illuminance_unit_name());
-    return shown;
-}
-
-void header(std::span<const Column> columns) {
-    for (const Column& column : columns) {
-        ImGui::TableSetupColumn(column.title, ImGuiTableColumnFlags_WidthStretch, column.share);
-    }
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-    for (int k = 0; k < static_cast<int>(columns.size()); ++k) {
-        const Column& column = columns[static_cast<std::size_t>(k)];
-        const char* const title = tr(column.title);
-        ImGui::TableSetColumnIndex(k);
-        ImGui::PushStyleColor(ImGuiCol_Text, style::quiet_text);
-        const std::string shown = in_shown_unit(title);
-        if (column.figures) to_right(shown.c_str());
-        ImGui::TextUnformatted(shown.c_str());
-        ImGui::PopStyleColor();
-        tooltip(column.help);
-    }
-}
-
-void cell(const std::string& text, ImU32 colour = style::text) {
-    ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    elided_text(text);
-    ImGui::PopStyleColor();
-}
-
-void figure(const std::string& text) {
-    ImGui::TableNextColumn();
-    to_right(text.c_str());
-    ImGui::TextUnformatted(text.c_str());
-}
 
 bool name_cell(const std::string& name, ObjectId id, ObjectId selected, WidgetRegistry& widgets) {
     ImGui::TableNextRow();
@@ -92,17 +38,6 @@ void fact(const char* what, const std::string& value, const char* unit, const ch
     cell(value);
     cell(tr(unit), style::quiet_text);
 }
-
-/// Its mark tells the state by shape, its word in letters, its colour besides.
-void state_cell(EffectState state) {
-    const bool simulated = state == EffectState::simulated, skipped = state == EffectState::skipped;
-    const ImU32 ink = simulated ? style::good : skipped ? style::warning : style::quiet_text;
-    ImGui::TableNextColumn();
-    icon_item(simulated ? Icon::done : skipped ? Icon::hidden : Icon::none, ink);
-    ImGui::TextColored(style::colour(ink), "%s", std::string(tr(name_of(state))).c_str());
-}
-
-std::string milliseconds(double value) { return value < 0.0 ? "–" : short_figure(value) + " ms"; }
 
 }  // namespace
 
@@ -141,121 +76,6 @@ std::optional<ObjectId> results_table(const Solution& solution, ObjectId selecte
     }
     ImGui::EndTable();
     return clicked;
-}
-
-namespace {
-
-std::string bound_figure(double lux) {
-    return lux < 0.0 ? std::string("–") : std::isfinite(lux) ? illuminance_figure(lux) : std::string(tr("none"));
-}
-
-/// Where among the calculation points most is left out.
-void tell_where(const PlannedEffect& row) {
-    if (row.bound_at_points.empty() || !ImGui::IsItemHovered()) return;
-    const auto most = std::max_element(row.bound_at_points.begin(), row.bound_at_points.end());
-    double sum = 0.0;
-    for (const double lux : row.bound_at_points) sum += lux;
-    ImGui::SetTooltip(
-        "%s", say("Most at calculation point {}: {} {}; {} in the mean",
-                  std::to_string(most - row.bound_at_points.begin() + 1), illuminance_figure(*most),
-                  illuminance_unit_name(), illuminance_figure(sum / static_cast<double>(row.bound_at_points.size())))
-                  .c_str());
-}
-
-/// Who decides: the plan, or the user.
-void choice_cell(Effect effect, Settings& settings, WidgetRegistry& widgets) {
-    ImGui::TableNextColumn();
-    const EffectOption* const option = option_of(effect);
-    if (option == nullptr) return;
-    constexpr const char* names[] = {"By its bound", "Always", "Never"};
-    EffectChoice& choice = settings.*option->member;
-    const std::string widget = "effects." + std::string(option->name);
-    ImGui::SetNextItemWidth(-1.0F);
-    if (ImGui::BeginCombo(("###" + widget).c_str(), tr(names[static_cast<std::size_t>(choice)]))) {
-        for (const EffectChoice each : effect_choices) {
-            const char* const name = names[static_cast<std::size_t>(each)];
-            if (ImGui::Selectable(tr(name), each == choice)) choice = each;
-            widgets.note(widget + "." + std::string(name_of(each)));
-        }
-        ImGui::EndCombo();
-    } else {
-        tooltip(
-            "By its bound: skipped while all that is skipped adds no more than the tolerance (Calculation). "
-            "Never: skipped however much it may add, and that is in every error bar");
-    }
-    widgets.note(widget);
-}
-
-/// Pieces of furniture, the dimmest first.
-std::optional<ObjectId> piece_rows(const PlannedEffect& row, bool measured, WidgetRegistry& widgets) {
-    std::optional<ObjectId> clicked;
-    std::vector<const PlannedPiece*> pieces;
-    for (const PlannedPiece& piece : row.pieces) pieces.push_back(&piece);
-    std::stable_sort(pieces.begin(), pieces.end(),
-                     [](const PlannedPiece* a, const PlannedPiece* b) { return a->bound_lux < b->bound_lux; });
-    for (const PlannedPiece* piece : pieces) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::PushID(static_cast<int>(piece->object.value));
-        ImGui::Indent();
-        if (ImGui::Selectable("###piece", false)) clicked = piece->object;
-        widgets.note("effects.piece." + piece->name);
-        ImGui::SameLine(0.0F, 0.0F);
-        elided_text(piece->name, 0.0F, Elide::middle);
-        ImGui::Unindent();
-        ImGui::PopID();
-        state_cell(piece->state);
-        cell(bound_figure(piece->bound_lux));
-        cell(measured ? "≈ " + milliseconds(piece->predicted_ms) : "–");
-        ImGui::TableNextColumn();
-        cell(say("Reflectance {} on {} m²: what the paper decides by", short_figure(piece->reflectance),
-                 short_figure(piece->area)),
-             style::quiet_text);
-    }
-    return clicked;
-}
-
-}  // namespace
-
-EffectsWish effects_table(const EffectsPlan& plan, const Settings& settings, bool measured, WidgetRegistry& widgets) {
-    constexpr Column columns[] = {
-        {"Effect", 2.0F, "What light does that may be simulated"},
-        {"State", 1.1F, "Skipped effects are bounded, and counted in every error bar"},
-        {"Bound  lx", 1.0F, "What skipping leaves out, or would, at any calculation point at most"},
-        {"Cost", 0.9F, "Predicted, or measured once it ran"},
-        {"Choice", 1.2F, "Who decides: the plan by its bounds, or you"},
-        {"Why", 5.0F, ""},
-    };
-    EffectsWish wish;
-    if (!ImGui::BeginTable("effects", 6, table_look)) return wish;
-    header(columns);
-    Settings wished = settings;
-    for (const PlannedEffect& row : plan.effects) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        bool open = false;
-        if (row.pieces.empty()) {
-            elided_text(std::string(tr(name_of(row.effect))));
-        } else {
-            open =
-                ImGui::TreeNodeEx("###pieces", ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth,
-                                  "%s", std::string(tr(name_of(row.effect))).c_str());
-            widgets.note("effects.pieces");
-        }
-        state_cell(row.state);
-        cell(row.may_be_skipped || row.bound_lux > 0.0 ? bound_figure(row.bound_lux) : "–");
-        tell_where(row);
-        const bool ran = row.measured_ms >= 0.0;
-        cell(!measured ? "–" : ran ? milliseconds(row.measured_ms) : "≈ " + milliseconds(row.predicted_ms));
-        choice_cell(row.effect, wished, widgets);
-        ImGui::TableNextColumn();
-        ImGui::TextWrapped("%s", row.why.c_str());
-        if (open)
-            if (const auto clicked = piece_rows(row, measured, widgets)) wish.clicked = clicked;
-    }
-    ImGui::EndTable();
-    if (wished != settings) wish.settings = wished;
-    return wish;
 }
 
 void energy_table(const Solution& solution, bool measured) {

@@ -33,9 +33,11 @@ Workbench::Workbench(ProjectContent content, std::filesystem::path file, Project
     offer_recovery();
     checks_ = std::make_shared<Checks>(wake, how.patience);
     readings_.study.connect(door_.user, wake);
+    readings_.effects.connect(wake);
     readings_.wake = std::move(wake);
     viewport_.state.options.pins = true;
-    overlays_ = {&furnishing_, &readings_.labels, &readings_.why, &readings_.snapshots, &readings_.profile};
+    overlays_ = {&furnishing_,         &readings_.labels,  &readings_.why,
+                 &readings_.snapshots, &readings_.profile, &readings_.effects};
     viewport_.state.options.grids = false;  // dots over every surface; shown with a chosen grid, or by N
 }
 

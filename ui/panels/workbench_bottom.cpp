@@ -36,9 +36,11 @@ void Workbench::bottom(const ScreenRect& area) {
         if (begin_tab("Effects", widgets_)) {
             begin_wide("effects", solution ? table_width : 0.0F);
             if (solution) {
-                const EffectsWish wish = effects_table(solution->plan, document_.settings(), measured, widgets_);
+                const EffectsPanel::Outcome wish =
+                    readings_.effects.table(*solution, document_.settings(), measured, widgets_);
                 if (wish.settings) document_.set_settings(*wish.settings);
                 if (wish.clicked) selection_.choose(*wish.clicked);
+                if (wish.starts) readings_.effects.start(document_.shown(), document_.settings());
             }
             end_wide();
             ImGui::EndTabItem();

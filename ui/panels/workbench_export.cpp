@@ -183,7 +183,7 @@ void Workbench::save_exact() {
 
 bool Workbench::is_busy() const {
     return study_.busy() || exact_.busy() || file_work_.busy() || export_.busy() || recording_.is_writing() ||
-           checks_->validation.busy() || checks_->trust.busy() || readings_.study.busy();
+           checks_->validation.busy() || checks_->trust.busy() || readings_.study.busy() || readings_.effects.busy();
 }
 
 std::optional<Task> Workbench::running_task() {
@@ -200,6 +200,11 @@ std::optional<Task> Workbench::running_task() {
     if (recording_.is_writing()) return recording_.task();
     if (readings_.study.busy()) {
         Task task = readings_.study.task();
+        if (how_.repeatable) task.left.clear();
+        return task;
+    }
+    if (readings_.effects.busy()) {
+        Task task = readings_.effects.task();
         if (how_.repeatable) task.left.clear();
         return task;
     }

@@ -18,6 +18,7 @@ constexpr float compare_width = 680.0F, profile_width = 560.0F, histogram_width 
 void Workbench::follow_readings() {
     readings_.why.follow(*document_.shown(), selection_.primary(), study_);
     readings_.study.follow();
+    readings_.effects.begin_frame();
 }
 
 /// Tabs of the bottom panel that read the light.

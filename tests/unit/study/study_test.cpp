@@ -95,6 +95,15 @@ TEST(Study, all_flux_of_a_closed_room_is_accounted_for) {
     }
 }
 
+TEST(Study, black_surfaces_absorb_all_that_arrives) {
+    Scene scene = test::box_room({4.0, 3.0, 2.6}, 0.0);
+    scene.luminaires.push_back(test::panel(scene, {2.0, 1.5, 2.5}, {0.8, 0.4}, 3000.0));
+    for (const Method method : methods) {
+        const auto solution = Study().run(snapshot(scene), coarse_settings(method), {.energy = true}, Work{});
+        EXPECT_NEAR(solution->energy.absorbed, 3000.0, 3.0) << name_of(method);
+    }
+}
+
 TEST(Study, patches_too_fine_to_be_solved_are_widened_and_it_is_said) {
     Scene dark = test::small_office();
     dark.luminaires.clear();  // no interreflection: the mesh alone is made
