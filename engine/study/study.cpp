@@ -450,7 +450,8 @@ SolutionSnapshot Study::run(SceneSnapshot scene, const Settings& settings, const
     auto answer = stages_->fine.solve(run.fine_input(), run.work, run.clock, on_way);
     if (!answer) return nullptr;
     std::optional<LevelAnswer> rough;
-    if (is_refined(*run.solution, request)) {
+    const bool is_lit = !answer->parts.empty();  // not where what shines has no patch: a sheet behind another
+    if (is_lit && is_refined(*run.solution, request)) {
         if (!stages_->values(run, *answer, nullptr)) return nullptr;
         rough = std::move(answer);
         answer = stages_->refine(run, *rough);

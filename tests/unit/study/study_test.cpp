@@ -95,6 +95,24 @@ TEST(Study, all_flux_of_a_closed_room_is_accounted_for) {
     }
 }
 
+/// Found by chance: linear elements looked for light to refine where there was none.
+TEST(Study, a_shining_sheet_behind_another_in_its_place_gives_no_light) {
+    Scene scene;
+    scene.materials = {{scene.new_id(), "grey", 0.5, {}}};
+    const Polygon outline{{0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}, {1.0, 1.0, 1.0}, {0.0, 1.0, 1.0}};
+    const auto hang = [&](LuminousExitance own) {
+        scene.surfaces.push_back({scene.new_id(), "sheet", {outline, {}}, scene.materials.front().id, own, {}});
+    };
+    hang({1000.0});
+    hang({0.0});
+    scene.points = {test::point(scene, {0.5, 0.5, 2.0}, {0.0, 0.0, -1.0})};
+    for (const Method method : methods) {
+        const auto solution = Study().run(snapshot(scene), coarse_settings(method), {.energy = true}, Work{});
+        EXPECT_EQ(solution->points.front().value.total().value, 0.0) << name_of(method);
+        EXPECT_EQ(solution->energy.emitted, 0.0) << name_of(method);
+    }
+}
+
 TEST(Study, black_surfaces_absorb_all_that_arrives) {
     Scene scene = test::box_room({4.0, 3.0, 2.6}, 0.0);
     scene.luminaires.push_back(test::panel(scene, {2.0, 1.5, 2.5}, {0.8, 0.4}, 3000.0));
