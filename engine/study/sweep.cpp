@@ -75,6 +75,7 @@ void Sweeping::tell() {
 bool Sweeping::take_expected() {
     const SweepExpected& expected = *wish_.expected;
     sweep_.against = expected.source;
+    sweep_.lumen.refusal = "a reference case is compared point by point";
     for (std::size_t k = 0; k < expected.lux.size(); ++k) truth_.push_back({expected.lux[k], expected.sets[k]});
     std::vector<ComparedValue> off = truth_;
     for (std::size_t k = 0; k < std::min(off.size(), expected.uncertainty.size()); ++k)
