@@ -1,7 +1,7 @@
 /// What studies teach, as a file, and the commands that predict from it.
 #include "app/calibration_file.h"
-#include "app/command_line.h"
 #include "app/exit_code.h"
+#include "tests/golden/command_run.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace {
 
 const std::string room = HANEI_SOURCE "/assets/rooms/painted-room.hanei";
 
-class CalibrationFile : public testing::Test {
+class CalibrationFile : public CommandRun {
 protected:
     CalibrationFile()
         : folder_(std::filesystem::path(testing::TempDir()) /
@@ -24,25 +24,12 @@ protected:
     }
     ~CalibrationFile() override { ::unsetenv("XDG_STATE_HOME"); }
 
-    int run(const std::vector<std::string>& after_program) {
-        std::vector<std::string> arguments{"hanei"};
-        arguments.insert(arguments.end(), after_program.begin(), after_program.end());
-        std::vector<char*> pointers;
-        for (std::string& argument : arguments) pointers.push_back(argument.data());
-        testing::internal::CaptureStdout();
-        testing::internal::CaptureStderr();
-        const int code = run_command_line(static_cast<int>(pointers.size()), pointers.data());
-        out_ = testing::internal::GetCapturedStdout();
-        err_ = testing::internal::GetCapturedStderr();
-        return code;
-    }
     static std::string content(const std::filesystem::path& file) {
         std::ifstream in(file, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
     }
 
     std::filesystem::path folder_;
-    std::string out_, err_;
 };
 
 Calibration two_studies() {

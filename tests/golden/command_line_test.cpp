@@ -1,7 +1,7 @@
 /// The command line's door: what it answers, and its exit codes.
-#include "app/command_line.h"
 
 #include "app/exit_code.h"
+#include "tests/golden/command_run.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,21 +17,9 @@ namespace {
 
 const std::string rooms = HANEI_SOURCE "/assets/rooms/";
 
-class CommandLine : public testing::Test {
+class CommandLine : public CommandRun {
 protected:
     CommandLine() { ::setenv("SOURCE_DATE_EPOCH", "1700000000", 1); }  // the same pictures at any time
-    int run(const std::vector<std::string>& after_program) {
-        std::vector<std::string> arguments{"hanei"};
-        arguments.insert(arguments.end(), after_program.begin(), after_program.end());
-        std::vector<char*> pointers;
-        for (std::string& argument : arguments) pointers.push_back(argument.data());
-        testing::internal::CaptureStdout();
-        testing::internal::CaptureStderr();
-        const int code = run_command_line(static_cast<int>(pointers.size()), pointers.data());
-        out_ = testing::internal::GetCapturedStdout();
-        err_ = testing::internal::GetCapturedStderr();
-        return code;
-    }
     static std::filesystem::path scratch(const std::string& name) {
         const auto folder = std::filesystem::path(testing::TempDir()) /
                             ("hanei-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
@@ -42,7 +30,6 @@ protected:
         std::ifstream in(file, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
     }
-    std::string out_, err_;
 };
 
 TEST_F(CommandLine, every_command_has_help) {

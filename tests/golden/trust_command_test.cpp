@@ -1,6 +1,6 @@
 /// The command that checks an answer by what must hold of any.
-#include "app/command_line.h"
 #include "app/exit_code.h"
+#include "tests/golden/command_run.h"
 
 #include <filesystem>
 #include <fstream>
@@ -14,22 +14,14 @@ namespace {
 
 const std::string rooms = HANEI_SOURCE "/assets/rooms/";
 
-class TrustCommand : public testing::Test {
+class TrustCommand : public CommandRun {
 protected:
-    int run(const std::vector<std::string>& after_program) {
-        std::vector<std::string> arguments{"hanei", "trust"};
-        arguments.insert(arguments.end(), after_program.begin(), after_program.end());
-        std::vector<char*> pointers;
-        for (std::string& argument : arguments) pointers.push_back(argument.data());
-        testing::internal::CaptureStdout();
-        testing::internal::CaptureStderr();
-        const int code = run_command_line(static_cast<int>(pointers.size()), pointers.data());
-        out_ = testing::internal::GetCapturedStdout();
-        err_ = testing::internal::GetCapturedStderr();
-        return code;
+    int run(const std::vector<std::string>& after_command) {
+        std::vector<std::string> arguments{"trust"};
+        arguments.insert(arguments.end(), after_command.begin(), after_command.end());
+        return CommandRun::run(arguments);
     }
     bool says(const std::string& words) const { return out_.find(words) != std::string::npos; }
-    std::string out_, err_;
 };
 
 TEST_F(TrustCommand, holds_of_the_painted_room_and_is_written_as_json) {
