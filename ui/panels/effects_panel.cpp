@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace hanei {
@@ -265,14 +266,18 @@ void EffectsPanel::draw(const PaneSight& sight, WidgetRegistry& /*widgets*/) {
         for (const PointResult& point : grid.points) places.push_back(point.position);
     const auto most = std::max_element(bounds.begin(), bounds.end());
     if (places.size() != bounds.size() || !(*most > 0.0) || !std::isfinite(*most)) return;
+    constexpr unsigned most_vertices = 40'000;  // of the 65,536 that a list holds: the least bounds are left out
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float scale = style::scale();
-    for (std::size_t k = 0; k < places.size(); ++k) {
+    std::vector<std::size_t> order(places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return bounds[a] > bounds[b]; });
+    for (const std::size_t k : order) {
+        if (list._VtxCurrentIdx > most_vertices) break;
         const auto at = sight.pane.on_screen(places[k]);
         if (!at) continue;
         const float radius = (1.5F + 9.5F * static_cast<float>(std::sqrt(bounds[k] / *most))) * scale;
-        list.AddCircleFilled(*at, radius, (style::warning & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 150));
-        list.AddCircle(*at, radius, IM_COL32(10, 12, 14, 170), 0, 1.0F * scale);
+        list.AddCircleFilled(*at, radius, (style::warning & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 165), 14);
     }
     const auto at = sight.pane.on_screen(places[static_cast<std::size_t>(most - bounds.begin())]);
     if (!at) return;
