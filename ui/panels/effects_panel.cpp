@@ -272,12 +272,18 @@ void EffectsPanel::draw(const PaneSight& sight, WidgetRegistry& /*widgets*/) {
     std::vector<std::size_t> order(places.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return bounds[a] > bounds[b]; });
+    std::vector<std::optional<ImVec2>> seen;
+    for (const Vec3& place : places) seen.push_back(sight.pane.on_screen(place));
     for (const std::size_t k : order) {
         if (list._VtxCurrentIdx > most_vertices) break;
-        const auto at = sight.pane.on_screen(places[k]);
-        if (!at) continue;
-        const float radius = (1.5F + 9.5F * static_cast<float>(std::sqrt(bounds[k] / *most))) * scale;
-        list.AddCircleFilled(*at, radius, (style::warning & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 165), 14);
+        if (!seen[k]) continue;
+        float room = 11.0F * scale;  // in dense grids up to the next point
+        for (const std::size_t next : {k - 1, k + 1})
+            if (next < seen.size() && seen[next])
+                room = std::min(room, 0.5F * std::hypot(seen[next]->x - seen[k]->x, seen[next]->y - seen[k]->y));
+        const float share = static_cast<float>(std::sqrt(bounds[k] / *most));
+        const float radius = std::max(room, 2.0F * scale) * (0.15F + 0.85F * share);
+        list.AddCircleFilled(*seen[k], radius, (style::warning & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 165), 14);
     }
     const auto at = sight.pane.on_screen(places[static_cast<std::size_t>(most - bounds.begin())]);
     if (!at) return;
