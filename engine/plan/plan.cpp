@@ -134,7 +134,7 @@ private:
             if (chosen.skipped[0] ||
                 (anywhere && all.choice == EffectChoice::by_bound && settings_.tolerance_lux > 0.0)) {
                 made.state = EffectState::skipped;
-                plan.uniform_lux = light_.interreflected_after(0);
+                plan.uniform_lux = uniform;
                 leave_out(plan, all.missing, bounds);
                 made.why = "It adds at most " + figure(made.bound_lux) + " lx " + where() + " (" + rests_on + "), " +
                            (all.choice == EffectChoice::never ? "and you asked to leave it out." : within() + ".");
@@ -268,9 +268,7 @@ private:
                 ++skipped_pieces;
                 of_pieces += candidates[k - 1].missing;
             }
-            if (skipped_pieces > 0) {
-                take_bounds(pieces, skipping_->bounds_of(of_pieces));
-            }
+            if (skipped_pieces > 0) take_bounds(pieces, skipping_->bounds_of(of_pieces));
             if (skipped_pieces > 0 || bands.state == EffectState::skipped)
                 leave_out(plan, chosen.missing, chosen.bound);
         }
