@@ -30,7 +30,7 @@ protected:
     /// The pointer over the middle of the view.
     void point_at_the_room() {
         driver_.frames(1);
-        const ScreenRect& view = *driver_.workbench().widgets().find("view");
+        const ScreenRect view = *driver_.workbench().widgets().find("view");
         driver_.point_at(view.x(), view.y());
         driver_.frames(2);
     }
@@ -132,7 +132,7 @@ TEST_F(Reading, a_profile_runs_along_the_line_that_was_drawn) {
     ASSERT_TRUE(driver_.wait_settled());
     EXPECT_DONE(driver_.press("L"));
     driver_.frames(2);
-    const ScreenRect& view = *driver_.workbench().widgets().find("view");
+    const ScreenRect view = *driver_.workbench().widgets().find("view");
     driver_.point_at(view.x() - 60.0F, view.y() + 20.0F);
     driver_.button(0, true);
     driver_.frames(2);

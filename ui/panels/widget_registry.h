@@ -21,7 +21,7 @@ public:
     void note(const std::string& name);
     void note(const std::string& name, const ScreenRect& rect) { rects_[name] = rect; }
 
-    /// Null when no widget of that name was drawn.
+    /// Null when no widget of that name was drawn. Good until the next frame.
     const ScreenRect* find(const std::string& name) const;
     const std::map<std::string, ScreenRect>& all() const { return rects_; }
 
