@@ -1,5 +1,8 @@
 #include "engine/direct/opening_integral.h"
 
+#include "engine/direct/flat_cell.h"
+#include "engine/geometry/polygon.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -34,14 +37,10 @@ private:
 // Sizes of elements over the distance in which the distribution changes by its peak: the greatest
 // that cannot miss a beam, and one so small that four Gauss points leave less than 1e-4.
 constexpr double first_share = 1.5;
-constexpr double settled_share = 0.2;
+constexpr double settled_share = 0.1;
 
-// Gauss points of the unit square and of the triangle under its diagonal (one lane idle).
-using Points = std::pair<std::array<double, 4>, std::array<double, 4>>;
-constexpr double near = 0.21132486540518713, far = 1.0 - near;  // (1 -+ 1/sqrt 3) / 2
-constexpr Points square_points = {{near, far, near, far}, {near, near, far, far}};
-constexpr Points triangle_points = {{1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0, 1.0 / 3.0},
-                                    {1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0, 1.0 / 3.0}};
+constexpr double narrow = 4.0;                   // so much longer than wide, only the length matters
+constexpr double of_side = 0.28867513459481287;  // 1 / sqrt 12: Gauss points from the middle
 
 bool is_parallelogram(std::span<const Vec3> polygon) {
     if (polygon.size() != 4) return false;
@@ -55,41 +54,89 @@ OpeningIntegral::OpeningIntegral(const IntensityTable& table, const OpeningSolid
                                  double finest_beam)
     : table_(table), solid_(solid), receiver_(receiver), finest_beam_(std::clamp(finest_beam, 0.1, 1.0)) {}
 
+/// The rectangle about a polygon, along its longest edge.
+OpeningIntegral::Element OpeningIntegral::around(const Polygon& polygon) {
+    const Vec3 normal = unit_normal(polygon);
+    Vec3 longest{0.0};
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec3 edge = polygon[(k + 1) % polygon.size()] - polygon[k];
+        if (glm::dot(edge, edge) > glm::dot(longest, longest)) longest = edge;
+    }
+    if (normal == Vec3{0.0} || longest == Vec3{0.0}) return {};
+    const Vec3 x = glm::normalize(longest), y = glm::cross(normal, x);
+    Vec2 low{0.0}, high{0.0};
+    for (const Vec3& corner : polygon) {
+        const Vec3 away = corner - polygon[0];
+        const Vec2 at{glm::dot(away, x), glm::dot(away, y)};
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    return {polygon[0] + low.x * x + low.y * y, (high.x - low.x) * x, (high.y - low.y) * y, polygon};
+}
+
 std::array<OpeningIntegral::Element, 4> OpeningIntegral::Element::quarters() const {
-    const Vec3 half_u = 0.5 * u, half_v = 0.5 * v;
-    const Element last = triangle ? Element{corner + half_u + half_v, -half_u, -half_v, true}
-                                  : Element{corner + half_u + half_v, half_u, half_v, false};
-    return {Element{corner, half_u, half_v, triangle}, Element{corner + half_u, half_u, half_v, triangle},
-            Element{corner + half_v, half_u, half_v, triangle}, last};
+    const double aspect = glm::length(u) / glm::length(v);
+    const bool first_u = aspect >= 1.0, then_u = first_u ? aspect >= narrow : aspect >= 1.0 / narrow;
+    auto [first, second] = halves(first_u);
+    auto [a, b] = first.halves(then_u);
+    auto [c, d] = second.halves(then_u);
+    return {std::move(a), std::move(b), std::move(c), std::move(d)};
+}
+
+/// Two parts, of half of u or of v.
+std::array<OpeningIntegral::Element, 2> OpeningIntegral::Element::halves(bool cut_u) const {
+    const Vec3 half = 0.5 * (cut_u ? u : v), &other = cut_u ? v : u;
+    std::array<Element, 2> parts{Element{corner, cut_u ? half : u, cut_u ? v : half, {}},
+                                 Element{corner + half, cut_u ? half : u, cut_u ? v : half, {}}};
+    if (outline.empty()) return parts;
+    const double length = glm::length(half), whole = length * glm::length(other);
+    for (Element& part : parts) {
+        const bool first = &part == parts.data();
+        part.outline =
+            length > 0.0 ? clipped(outline, {corner + half, (first ? -half : half) / length}, 0.0) : Polygon{};
+        if (part.outline.size() < 3) {
+            part = Element{corner + half, Vec3{0.0}, Vec3{0.0}, {}};
+        } else if (part.outline.size() == 4 && glm::length(vector_area(part.outline)) >= (1.0 - 1e-9) * whole) {
+            part.outline.clear();
+        }
+    }
+    return parts;
 }
 
 /// Fills in what the element sends to the receiver. Lane by lane: the places are all alike, and the
 /// compiler does two or four at a time.
 void OpeningIntegral::measure(Element& element) const {
-    const Vec3 vector_area = glm::cross(element.u, element.v);
-    const std::size_t count = element.triangle ? 3 : 4;
-    const auto& along = element.triangle ? triangle_points.first : square_points.first;
-    const auto& across = element.triangle ? triangle_points.second : square_points.second;
-    const Vec3 from_corner = receiver_.position - element.corner;
+    Vec3 vector_area = glm::cross(element.u, element.v);
+    if (vector_area == Vec3{0.0}) return;
+    Vec3 from_middle = receiver_.position - element.corner - 0.5 * (element.u + element.v);
+    Vec3 along = of_side * element.u, across = of_side * element.v;
+    if (!element.outline.empty()) {
+        const FlatCell cell(element.outline);
+        if (cell.count == 0) return;
+        from_middle = receiver_.position - cell.centre;
+        along = cell.along;
+        across = cell.across;
+        vector_area *= cell.size / glm::length(vector_area);
+    }
+    constexpr double signs[2][4] = {{1.0, -1.0, 1.0, -1.0}, {1.0, 1.0, -1.0, -1.0}};
     double x[4], y[4], z[4], clear[4];
     for (std::size_t k = 0; k < 4; ++k) {
-        x[k] = from_corner.x - along[k] * element.u.x - across[k] * element.v.x;
-        y[k] = from_corner.y - along[k] * element.u.y - across[k] * element.v.y;
-        z[k] = from_corner.z - along[k] * element.u.z - across[k] * element.v.z;
+        x[k] = from_middle.x + signs[0][k] * along.x + signs[1][k] * across.x;
+        y[k] = from_middle.y + signs[0][k] * along.y + signs[1][k] * across.y;
+        z[k] = from_middle.z + signs[0][k] * along.z + signs[1][k] * across.z;
         const double square = x[k] * x[k] + y[k] * y[k] + z[k] * z[k];
         const double height = -(x[k] * receiver_.normal.x + y[k] * receiver_.normal.y + z[k] * receiver_.normal.z);
         clear[k] = std::max(0.0, height) / std::max(square * std::sqrt(square), 1e-300);
     }
     double light = 0.0, geometry = 0.0;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
         if (!(clear[k] > 0.0)) continue;
         const Vec3 away{x[k], y[k], z[k]};
         if (solid_) clear[k] *= weight(away, vector_area);
         light += clear[k] * table_.candela(away);
         geometry += clear[k];
     }
-    const double area = solid_ ? 1.0 : glm::length(vector_area);
-    const double share = area / (element.triangle ? 6.0 : 4.0);
+    const double share = 0.25 * (solid_ ? 1.0 : glm::length(vector_area));
     element.value = share * light;
     element.clear = share * geometry;
 }
@@ -104,28 +151,24 @@ double OpeningIntegral::weight(const Vec3& away, const Vec3& vector_area) const 
 
 bool OpeningIntegral::is_finer(const Element& element, double share) const {
     const double size = std::max(glm::length(element.u + element.v), glm::length(element.u - element.v));
-    const Vec3 middle = element.corner + (element.triangle ? 1.0 / 3.0 : 0.5) * (element.u + element.v);
+    const Vec3 middle = element.corner + 0.5 * (element.u + element.v);
     return size <= share * finest_beam_ * glm::distance(middle, receiver_.position);
 }
 
-void OpeningIntegral::add(std::span<const Vec3> polygon) {
+void OpeningIntegral::add(const Polygon& polygon) {
     if (polygon.size() < 3) return;
-    if (is_parallelogram(polygon)) {
-        add_element({polygon[0], polygon[1] - polygon[0], polygon[3] - polygon[0], false}, deepest_level);
-        return;
-    }
-    for (std::size_t k = 2; k < polygon.size(); ++k) {
-        add_element({polygon[0], polygon[k - 1] - polygon[0], polygon[k] - polygon[0], true}, deepest_level);
-    }
+    const bool whole = is_parallelogram(polygon);
+    add_element(whole ? Element{polygon[0], polygon[1] - polygon[0], polygon[3] - polygon[0], {}} : around(polygon),
+                deepest_level);
 }
 
 void OpeningIntegral::add_element(Element element, int levels) {
     if (levels == 0 || is_finer(element, first_share)) {
         measure(element);
-        elements_.push_back(element);
+        elements_.push_back(std::move(element));
         return;
     }
-    for (const Element& quarter : element.quarters()) add_element(quarter, levels - 1);
+    for (Element& quarter : element.quarters()) add_element(std::move(quarter), levels - 1);
 }
 
 OpeningIntegral::Halved OpeningIntegral::halved(const Element& element, int levels) const {
@@ -160,15 +203,15 @@ Estimate OpeningIntegral::value(const Accuracy& accuracy) const {
     const double unimportant = std::max(faint, accuracy.floor);
     while (left.error() > std::max(share * (settled + total), unimportant) && open.front().levels > 0) {
         std::ranges::pop_heap(open, less);
-        const Halved coarse = open.back();
+        const Halved coarse = std::move(open.back());
         open.pop_back();
         total -= coarse.sum;
         left.remove(coarse.difference);
         for (const Element& quarter : coarse.quarters) {
-            const Halved finer = halved(quarter, coarse.levels - 1);
+            Halved finer = halved(quarter, coarse.levels - 1);
             total += finer.sum;
             left.add(finer.difference);
-            open.push_back(finer);
+            open.push_back(std::move(finer));
             std::ranges::push_heap(open, less);
         }
     }
