@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <string>
+#include <vector>
 
 namespace hanei {
 namespace {
@@ -113,65 +115,83 @@ std::string method_line(const Sweep& sweep, const Panel& panel, Method method) {
                        css_colour(colour_of(method)));
 }
 
-std::string frontier_line(const Sweep& sweep, const Panel& panel) {
-    std::string path;
-    double last = 0.0;
+/// A stair: nothing measured takes less time and is nearer. Its last step goes on to the border.
+std::vector<std::array<double, 2>> frontier_corners(const Sweep& sweep, const Panel& panel) {
+    std::vector<std::array<double, 2>> corners;
     for (const SweepPoint* point : frontier_of(sweep)) {
         const double x = panel.x.at(point->milliseconds),
                      y = panel.y.at(100.0 * std::max(point->errors.front().p95, sweep.uncertainty.p95));
-        path += path.empty() ? fmt::format("M{:.1f},{:.1f} ", x, y)
-                             : fmt::format("L{:.1f},{:.1f} L{:.1f},{:.1f} ", x, last, x, y);
-        last = y;
+        if (!corners.empty()) corners.push_back({x, corners.back()[1]});
+        corners.push_back({x, y});
     }
+    if (!corners.empty()) corners.push_back({panel.x.to, corners.back()[1]});
+    return corners;
+}
+
+std::string frontier_line(const Sweep& sweep, const Panel& panel) {
+    std::string path;
+    for (const auto& [x, y] : frontier_corners(sweep, panel))
+        path += fmt::format("{}{:.1f},{:.1f} ", path.empty() ? "M" : "L", x, y);
     if (path.empty()) return {};
-    path += fmt::format("L{:.1f},{:.1f}", panel.x.to, last);
     return fmt::format(
         "<path class='f' d='{}' fill='none' stroke='#2b313b' stroke-width='2.4' stroke-linejoin='round'/>\n", path);
 }
 
-void avoid_frontier(const Sweep& sweep, const Panel& panel, LabelPlaces& places) {
-    double last_x = 0.0, last_y = 0.0;
-    for (const SweepPoint* point : frontier_of(sweep)) {
-        const double x = panel.x.at(point->milliseconds), y = panel.y.at(100.0 * point->errors.front().p95);
-        if (last_x > 0.0) {
-            places.avoid_line(last_x, last_y, x, last_y);
-            places.avoid_line(x, last_y, x, y);
-        }
-        last_x = x;
-        last_y = y;
+/// A point that stands for something, or several so near each other that one label names them.
+struct Marked {
+    double x, y;
+    std::string text;
+};
+
+std::vector<Marked> marked_points(const Sweep& sweep, const Panel& panel) {
+    constexpr double together = 18.0;
+    std::vector<Marked> marked;
+    for (const SweepPoint& point : sweep.points) {
+        const std::string text = marks_label(point.marks);
+        if (text.empty()) continue;
+        const double x = panel.x.at(point.milliseconds), y = panel.y.at(100.0 * point.errors.front().p95);
+        const auto near =
+            std::ranges::find_if(marked, [&](const Marked& m) { return std::hypot(m.x - x, m.y - y) < together; });
+        if (near == marked.end())
+            marked.push_back({x, y, text});
+        else
+            near->text += ", " + text;
     }
+    return marked;
 }
 
 /// Names of the points that stand for something, beside them.
 std::string labels(const Sweep& sweep, const Panel& panel) {
     LabelPlaces places({panel.x.from, panel.y.to, panel.x.to, panel.y.from});
     std::string svg;
-    for (const SweepPoint& point : sweep.points)
-        places.avoid(panel.x.at(point.milliseconds), panel.y.at(100.0 * point.errors.front().p95),
-                     point.marks.any() ? 11.0 : 5.0);
-    avoid_frontier(sweep, panel, places);
-    const auto label = [&](double x, double y, const std::string& text) {
-        constexpr double letter = 7.1, height = 15.0;
-        const LabelPlace at = places.place(x, y, letter * static_cast<double>(text.size()), height);
+    for (const SweepPoint& point : sweep.points) {
+        const double x = panel.x.at(point.milliseconds), y = panel.y.at(100.0 * point.errors.front().p95);
+        places.avoid(x, y, point.marks.any() ? 11.0 : 5.0);
+        if (point.marks.any())
+            svg += fmt::format(
+                "<circle class='r' cx='{:.1f}' cy='{:.1f}' r='{}' fill='none' stroke='#2b313b' stroke-width='{}'/>\n",
+                x, y, point.marks.current ? 10.5 : 8.5, point.marks.current ? 2.2 : 1.1);
+    }
+    const auto corners = frontier_corners(sweep, panel);
+    for (std::size_t k = 1; k < corners.size(); ++k)
+        places.avoid_line(corners[k - 1][0], corners[k - 1][1], corners[k][0], corners[k][1]);
+    const auto label = [&](const Marked& marked) {
+        constexpr double letter = 8.2, height = 15.0;  // of the widest letters that browsers fall back to
+        const LabelPlace at =
+            places.place(marked.x, marked.y, letter * static_cast<double>(marked.text.size()), height);
         if (at.is_far)
             svg += fmt::format("<line class='l' x1='{:.1f}' y1='{:.1f}' x2='{:.1f}' y2='{:.1f}' stroke='#68707c'/>\n",
-                               x, y, at.anchor_x, at.anchor_y);
-        svg += text_at(at.left, at.top + 12, "font-weight='600' class='t' fill='#2b313b'", text);
+                               marked.x, marked.y, at.anchor_x, at.anchor_y);
+        svg += text_at(at.left, at.top + 12, "font-weight='600' class='t' fill='#2b313b'", marked.text);
     };
-    for (const SweepPoint& point : sweep.points) {
-        const std::string text = marks_label(point.marks);
-        if (text.empty()) continue;
-        const double x = panel.x.at(point.milliseconds), y = panel.y.at(100.0 * point.errors.front().p95);
-        svg += fmt::format(
-            "<circle class='r' cx='{:.1f}' cy='{:.1f}' r='{}' fill='none' stroke='#2b313b' stroke-width='{}'/>\n", x, y,
-            point.marks.current ? 10.5 : 8.5, point.marks.current ? 2.2 : 1.1);
-        label(x, y, text);
-    }
+    std::vector<Marked> all = marked_points(sweep, panel);
     if (sweep.lumen.refusal.empty()) {
         const double x = panel.x.from, y = panel.y.at(100.0 * sweep.lumen.error());
         svg += fmt::format("<path class='f' d='M{0:.1f},{1:.1f} l12,-6 l0,12 z' fill='#8a4fa3'/>\n", x, y);
-        label(x + 8, y, "lumen method, its mean");
+        places.avoid(x + 6.0, y, 7.0);
+        all.push_back({x + 8.0, y, "lumen method, its mean"});
     }
+    for (const Marked& marked : all) label(marked);
     return svg;
 }
 
