@@ -82,6 +82,7 @@ double median(std::vector<double> figures) {
 }
 
 constexpr std::size_t neighbours = 5;
+constexpr double of_another_room = 2.0;  // errors of unlike rooms differ so much: what is promised shall hold
 
 /// The samples most like what is asked, nearest first.
 std::vector<const CalibrationSample*> nearest(const std::vector<CalibrationSample>& samples, const ExpectedWork& work,
@@ -170,6 +171,7 @@ Prediction Calibration::predict(const ExpectedWork& work, Method method) const {
         errors.push_back(*sample->error *
                          std::pow(std::max(1.0, sample->unknowns) / std::max(1.0, work.unknowns), order_of(method)));
     prediction.error = median(std::move(errors));
+    if (!erring.empty() && erring.front()->room != work.room) prediction.error *= of_another_room;
     return prediction;
 }
 

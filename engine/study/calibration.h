@@ -61,8 +61,8 @@ public:
 
     /// From the five studies of this method that are most like it, first those of the same room, then
     /// those of about as many unknowns: the median of each stage's time a unit of work, and of the
-    /// error carried over to this number of unknowns. What was never studied here is predicted from
-    /// figures measured on the rooms that come with the program.
+    /// error carried over to this number of unknowns, twice that of other rooms. What was never studied
+    /// here is predicted from figures measured on the rooms that come with the program.
     ///
     /// Weak when the room is unlike all others: take it for the order of magnitude.
     Prediction predict(const ExpectedWork& work, Method method) const;
