@@ -8,6 +8,7 @@
 #include "engine/scene/opening_shape.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace hanei {
@@ -38,6 +39,7 @@ public:
 
     /// Needs     a convex polygon above the receiver's horizon.
     void add(const Polygon& polygon);
+    std::size_t elements() const { return elements_.size(); }  ///< that what was added is cut into to begin with
     /// Cut no further than `accuracy` needs.
     Estimate value(const Accuracy& accuracy = {}) const;
 
