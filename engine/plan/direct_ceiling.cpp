@@ -69,6 +69,10 @@ CeilingCell flat_cell(std::vector<Vec3> corners, const Vec3& normal, double area
     return cell;
 }
 
+double distance(const CeilingCell& a, const CeilingCell& b) {
+    return glm::length(glm::max(Vec3{0.0}, glm::max(a.low - b.high, b.low - a.high)));
+}
+
 }  // namespace
 
 DirectCeiling::DirectCeiling(const Scene& scene, const Luminaire& luminaire) {
@@ -131,8 +135,19 @@ DirectCeiling::DirectCeiling(const Scene& scene, const Luminaire& luminaire) {
     }
 }
 
+/// A place on the opening, as near as rounding tells.
+bool DirectCeiling::touches(const CeilingCell& cell) const {
+    const double same_place = tolerance::same_place * (shining_.radius + glm::distance(cell.centre, shining_.centre));
+    return cell.corners.size() == 1 && distance(cell, shining_) <= 2.0 * same_place;
+}
+
+/// Of the hemisphere, what a plane through the place can cover: the angle between both normals decides.
+double DirectCeiling::half_turned(const CeilingCell& cell) const {
+    return shining_.is_flat() ? std::min(1.0, 0.5 * (1.0 - glm::dot(cell.normal, shining_.normal)) + 1e-9) : 1.0;
+}
+
 double DirectCeiling::on(const CeilingCell& cell) const {
-    if (exitance_ > 0.0) return exitance_ * most_seen(cell, shining_).factor;
+    if (exitance_ > 0.0) return exitance_ * (touches(cell) ? half_turned(cell) : most_seen(cell, shining_).factor);
     if (!(intensity_ > 0.0)) return 0.0;
     double intensity = intensity_;
     if (upward_ < intensity_) {
@@ -143,7 +158,7 @@ double DirectCeiling::on(const CeilingCell& cell) const {
         if (farthest <= nearest + same_place) intensity = upward_;
         if (!(intensity > 0.0)) return 0.0;
     }
-    const double apart = glm::length(glm::max(Vec3{0.0}, glm::max(cell.low - shining_.high, shining_.low - cell.high)));
+    const double apart = distance(cell, shining_);
     double cosine = 1.0;
     if (cell.is_flat()) {
         double height = -std::numeric_limits<double>::infinity();

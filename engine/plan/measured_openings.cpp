@@ -2,26 +2,15 @@
 
 #include "engine/geometry/polygon.h"
 #include "engine/scene/dimmers.h"
-#include "engine/scene/point_certificate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <optional>
 
 namespace hanei {
 
 namespace {
-
-/// The opening a luminaire shines from by its file, when it has extent.
-std::optional<OpeningForm> opening_of(const Luminaire& luminaire, const Photometry& photometry) {
-    OpeningForm form;
-    if (std::holds_alternative<MeasuredOpening>(luminaire.opening)) form = form_of(photometry.opening);
-    if (const auto* flat = std::get_if<PolygonOpening>(&luminaire.opening)) form = form_of(convex_pieces(flat->region));
-    if (!(form.radius > 0.0)) return std::nullopt;
-    return form;
-}
 
 std::string distance_text(double distance) {
     if (!std::isfinite(distance)) return "at no distance";
@@ -32,20 +21,30 @@ std::string distance_text(double distance) {
 
 }  // namespace
 
+std::optional<MeasuredForm> measured_opening_of(const Scene& scene, const Luminaire& luminaire) {
+    const auto* measured = std::get_if<Measured>(&luminaire.distribution);
+    if (!measured) return std::nullopt;
+    const auto photometry = std::ranges::find(scene.photometries, measured->photometry, &Photometry::id);
+    if (photometry == scene.photometries.end() || photometry->candela.empty()) return std::nullopt;
+    OpeningForm form;
+    if (std::holds_alternative<MeasuredOpening>(luminaire.opening)) form = form_of(photometry->opening);
+    if (const auto* flat = std::get_if<PolygonOpening>(&luminaire.opening)) form = form_of(convex_pieces(flat->region));
+    if (!(form.radius > 0.0)) return std::nullopt;
+    return MeasuredForm{&*photometry, form};
+}
+
 MeasuredOpenings measured_openings(const Scene& scene) {
     MeasuredOpenings found;
     std::map<ObjectId, double> points_beyond;  // of a photometry the farthest of its luminaires
     std::map<std::pair<ObjectId, double>, double> of_size;
     for (const Luminaire& luminaire : scene.luminaires) {
-        const auto* measured = std::get_if<Measured>(&luminaire.distribution);
-        if (!measured || dimming_of(scene, luminaire) <= 0.0) continue;
-        const auto photometry = std::ranges::find(scene.photometries, measured->photometry, &Photometry::id);
-        if (photometry == scene.photometries.end() || photometry->candela.empty()) continue;
-        const std::optional<OpeningForm> form = opening_of(luminaire, *photometry);
-        if (!form) continue;
+        if (dimming_of(scene, luminaire) <= 0.0) continue;
+        const std::optional<MeasuredForm> opening = measured_opening_of(scene, luminaire);
+        if (!opening) continue;
         ++found.luminaires;
-        const auto [kept, is_new] = of_size.try_emplace({photometry->id, form->radius}, 0.0);
-        if (is_new) kept->second = PointCertificate(*photometry, *form).distance_for(share_left_out_by_points);
+        const auto& [photometry, form] = *opening;
+        const auto [kept, is_new] = of_size.try_emplace({photometry->id, form.radius}, 0.0);
+        if (is_new) kept->second = PointCertificate(*photometry, form).distance_for(share_left_out_by_points);
         double& beyond = points_beyond[photometry->id];
         beyond = std::max(beyond, kept->second);
     }

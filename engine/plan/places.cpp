@@ -1,9 +1,11 @@
 #include "engine/plan/places.h"
 
 #include "engine/base/tolerance.h"
+#include "engine/scene/grid_spacing.h"
 #include "engine/scene/placement.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hanei {
 
@@ -26,6 +28,32 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 }
 
 }  // namespace
+
+std::vector<Receiver> few_calculation_points(const Scene& scene) {
+    constexpr double few = 600.0;
+    double count = static_cast<double>(scene.points.size());
+    for (const CalculationGrid& grid : scene.grids)
+        if (grid.spacing > 0.0) count += grid_points(grid);
+    std::vector<Receiver> points;
+    if (count > few) return points;
+    for (const CalculationPoint& point : scene.points) points.push_back({point.position, point.normal, Vec3{0.0}});
+    for (const CalculationGrid& grid : scene.grids) {
+        const Vec3 area = glm::cross(grid.along, grid.across);
+        if (!(grid.spacing > 0.0) || !(glm::length(area) > 0.0)) continue;
+        const auto cells = [&](const Vec3& side) {
+            return std::max(1, static_cast<int>(std::lround(glm::length(side) / grid.spacing)));
+        };
+        const int columns = cells(grid.along), rows = cells(grid.across);
+        for (int row = 0; row < rows; ++row) {
+            for (int column = 0; column < columns; ++column) {
+                const Vec3 place =
+                    grid.corner + grid.along * ((column + 0.5) / columns) + grid.across * ((row + 0.5) / rows);
+                points.push_back({place, glm::normalize(area), Vec3{0.0}});
+            }
+        }
+    }
+    return points;
+}
 
 std::vector<Vec3> places_of(const Scene& scene, std::span<const Face> faces) {
     std::vector<Vec3> places;

@@ -1,6 +1,7 @@
 /// Where light can start or arrive in a scene, and what can stand in its way.
 #pragma once
 
+#include "engine/geometry/configuration_factor.h"
 #include "engine/scene/faces.h"
 
 #include <span>
@@ -8,6 +9,9 @@
 #include <vector>
 
 namespace hanei {
+
+/// Calculation points, points first and then grids, row by row; none where they are more than 600.
+std::vector<Receiver> few_calculation_points(const Scene& scene);
 
 /// Corners of all faces, the luminaires' extents, points and grids: everything of the scene lies in
 /// their convex hull.

@@ -2,6 +2,7 @@
 
 #include "engine/plan/colour_reason.h"
 #include "engine/plan/cost_model.h"
+#include "engine/plan/direct_changes.h"
 #include "engine/plan/light_bounds.h"
 #include "engine/plan/measured_openings.h"
 #include "engine/plan/places.h"
@@ -40,14 +41,18 @@ public:
             ceiling_ = std::make_shared<const LightCeiling>(scene, faces_);
             skipping_.emplace(scene, ceiling_);
         }
+        if (detail == PlanDetail::bounds) {
+            points_ = few_calculation_points(scene);
+            changes_ = direct_changes(scene, points_);
+        }
     }
 
     EffectsPlan plan() {
         EffectsPlan plan;
         const PlannedEffect between = interreflection(plan);
         const PlannedEffect bands = colour(between.state), pieces = furniture(between.state);
-        plan.effects = {direct_shadows(), penumbra(), between, patch_shadows(between.state), bounces(between.state),
-                        opening_size(),   bands,      pieces,  closure(between.state),       daylight()};
+        plan.effects = {direct_shadows(), penumbra(), between, patch_shadows(between), bounces(between.state),
+                        opening_size(),   bands,      pieces,  closure(between.state), daylight()};
         if (between.state == EffectState::simulated) skip_parts(plan);
         return plan;
     }
@@ -69,8 +74,10 @@ private:
         constexpr Effect effect = Effect::occlusion_direct;
         if (light_.luminaires == 0) return absent(effect, "No luminaire gives light.");
         if (obstacles_.empty()) return absent(effect, unobstructed);
-        return row(effect, EffectState::simulated, "Light may be blocked by " + obstacles_ + ".",
-                   cost_.direct_occlusion_ms());
+        PlannedEffect made = row(effect, EffectState::simulated, "Light may be blocked by " + obstacles_ + ".",
+                                 cost_.direct_occlusion_ms());
+        bound_at_points(made, changes_.shadows);
+        return made;
     }
 
     PlannedEffect penumbra() const {
@@ -80,10 +87,20 @@ private:
             return absent(effect, "All luminaires that give light are points: their shadows have hard edges.");
         }
         if (obstacles_.empty()) return absent(effect, "There are no shadows, hence no soft edges of shadows.");
-        return row(effect, EffectState::simulated,
-                   std::to_string(light_.luminaires_with_extent) + " of " + std::to_string(light_.luminaires) +
-                       " luminaires have extent and may be partly hidden.",
-                   0.5 * cost_.direct_occlusion_ms());
+        PlannedEffect made =
+            row(effect, EffectState::simulated,
+                std::to_string(light_.luminaires_with_extent) + " of " + std::to_string(light_.luminaires) +
+                    " luminaires have extent and may be partly hidden.",
+                0.5 * cost_.direct_occlusion_ms());
+        bound_at_points(made, changes_.penumbra);
+        return made;
+    }
+
+    /// Of what is always simulated: by how much less of it would change the values.
+    void bound_at_points(PlannedEffect& made, std::span<const double> bounds) const {
+        if (points_.empty()) return;
+        made.bound_lux = greatest(bounds);
+        made.bound_at_points.assign(bounds.begin(), bounds.end());
     }
 
     bool any_is(EffectChoice choice) const {
@@ -152,12 +169,16 @@ private:
         return scene_.points.empty() && scene_.grids.empty() ? "on any surface" : "at any calculation point";
     }
 
-    PlannedEffect patch_shadows(EffectState between) const {
+    /// With them or without, interreflection adds no more than its bound.
+    PlannedEffect patch_shadows(const PlannedEffect& between) const {
         constexpr Effect effect = Effect::occlusion_patches;
-        if (between != EffectState::simulated) return absent(effect, "Light between surfaces is not simulated.");
+        if (between.state != EffectState::simulated) return absent(effect, "Light between surfaces is not simulated.");
         if (obstacles_.empty()) return absent(effect, unobstructed);
-        return row(effect, EffectState::simulated, "Sight between surfaces may be blocked by " + obstacles_ + ".",
-                   cost_.patch_occlusion_ms());
+        PlannedEffect made =
+            row(effect, EffectState::simulated, "Sight between surfaces may be blocked by " + obstacles_ + ".",
+                cost_.patch_occlusion_ms());
+        bound_at_points(made, between.bound_at_points);
+        return made;
     }
 
     /// With the greatest reflectance r, what comes after K reflections is at most r^K / (1 - r) of
@@ -198,7 +219,9 @@ private:
         const MeasuredOpenings openings = measured_openings(scene_);
         if (openings.luminaires == 0)
             return absent(Effect::opening_size, "No luminaire shines from a measured opening.");
-        return row(Effect::opening_size, EffectState::simulated, openings.why, cost_.direct_ms());
+        PlannedEffect made = row(Effect::opening_size, EffectState::simulated, openings.why, cost_.direct_ms());
+        bound_at_points(made, changes_.openings);
+        return made;
     }
 
     PlannedEffect colour(EffectState between) {
@@ -320,6 +343,8 @@ private:
     CostModel cost_;
     std::shared_ptr<const LightCeiling> ceiling_;
     std::optional<Skipping> skipping_;
+    std::vector<Receiver> points_;  ///< that bounds are told at
+    DirectChanges changes_;
     LeavingLight colour_light_;              ///< that one band may leave out
     std::vector<LeavingLight> piece_light_;  ///< that each piece reflects
 };

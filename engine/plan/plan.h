@@ -50,10 +50,10 @@ struct PlannedEffect {
     Effect effect = Effect::interreflection;
     EffectState state = EffectState::simulated;
     std::string why;  ///< one sentence with the figures it rests on
-    /// lx that skipping leaves out at most, or would, at any calculation point (at any surface when there is
-    /// none); 0 when not present, infinite when it has no bound, negative when it was not asked for. Of bounces
-    /// cut off by the settings: what those after the last add at most (the iteration part of error
-    /// bars says how much it is, so it is not among the skipped).
+    /// lx that skipping changes at most, or would (of what is always simulated: leaving it out), at any calculation
+    /// point (at any surface when there is none); 0 when not present, infinite when it has no bound, negative when it
+    /// was not asked for. Of bounces cut off by the settings: what those after the last add at most (the iteration part
+    /// of error bars says how much it is, so it is not among the skipped).
     double bound_lux = 0.0;
     double predicted_ms = 0.0;              ///< cost if simulated; filled from a cost model
     double measured_ms = -1.0;              ///< filled after the study; negative while unknown

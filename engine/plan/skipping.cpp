@@ -1,6 +1,6 @@
 #include "engine/plan/skipping.h"
 
-#include "engine/scene/grid_spacing.h"
+#include "engine/plan/places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,20 +8,9 @@
 namespace hanei {
 namespace {
 
-constexpr double few_points = 600.0;
 constexpr int most_rectangles_a_side = 8;
 
 int cells_of(double side, double spacing) { return std::max(1, static_cast<int>(std::lround(side / spacing))); }
-
-/// The grid's cells' centres, row by row.
-template <class Visit>
-void for_each_point(const CalculationGrid& grid, Visit&& visit) {
-    const int columns = cells_of(glm::length(grid.along), grid.spacing);
-    const int rows = cells_of(glm::length(grid.across), grid.spacing);
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-            visit(grid.corner + grid.along * ((column + 0.5) / columns) + grid.across * ((row + 0.5) / rows));
-}
 
 }  // namespace
 
@@ -31,20 +20,15 @@ double greatest(std::span<const double> values) {
 
 Skipping::Skipping(const Scene& scene, std::shared_ptr<const LightCeiling> ceiling) : ceiling_(std::move(ceiling)) {
     const auto cells = ceiling_->cells();
-    double points = static_cast<double>(scene.points.size());
-    for (const CalculationGrid& grid : scene.grids)
-        if (grid.spacing > 0.0) points += grid_points(grid);
-    are_points_ = points > 0.0 && points <= few_points;
     const auto add = [&](const auto& place) { places_.emplace_back(place, cells); };
+    const std::vector<Receiver> points = few_calculation_points(scene);
+    are_points_ = !points.empty();
+    for (const Receiver& point : points) add(point);
+    if (are_points_) return;
     for (const CalculationPoint& point : scene.points) add(Receiver{point.position, point.normal, Vec3{0.0}});
     for (const CalculationGrid& grid : scene.grids) {
         const Vec3 area = glm::cross(grid.along, grid.across);
         if (!(grid.spacing > 0.0) || !(glm::length(area) > 0.0)) continue;
-        const Vec3 normal = glm::normalize(area);
-        if (are_points_) {
-            for_each_point(grid, [&](const Vec3& place) { add(Receiver{place, normal, Vec3{0.0}}); });
-            continue;
-        }
         const auto pieces = [&](const Vec3& side) {
             return std::min(most_rectangles_a_side, cells_of(glm::length(side), grid.spacing));
         };
