@@ -76,7 +76,8 @@ private:
         if (obstacles_.empty()) return absent(effect, unobstructed);
         PlannedEffect made = row(effect, EffectState::simulated, "Light may be blocked by " + obstacles_ + ".",
                                  cost_.direct_occlusion_ms());
-        bound_at_points(made, changes_.shadows);
+        bound_at_points(made, changes_.shadows,
+                        "Without shadows up to {} lx more would come straight from luminaires.");
         return made;
     }
 
@@ -92,15 +93,17 @@ private:
                 std::to_string(light_.luminaires_with_extent) + " of " + std::to_string(light_.luminaires) +
                     " luminaires have extent and may be partly hidden.",
                 0.5 * cost_.direct_occlusion_ms());
-        bound_at_points(made, changes_.penumbra);
+        bound_at_points(made, changes_.penumbra, "With hard edges, direct light would be off by up to {} lx.");
         return made;
     }
 
-    /// Of what is always simulated: by how much less of it would change the values.
-    void bound_at_points(PlannedEffect& made, std::span<const double> bounds) const {
-        if (points_.empty()) return;
+    /// Of what is always simulated: by how much less of it would change the values, and a sentence that says so.
+    void bound_at_points(PlannedEffect& made, std::span<const double> bounds, std::string sentence) const {
+        if (points_.empty() || bounds.empty()) return;
         made.bound_lux = greatest(bounds);
         made.bound_at_points.assign(bounds.begin(), bounds.end());
+        if (std::isfinite(made.bound_lux))
+            made.why += " " + sentence.replace(sentence.find("{}"), 2, figure(made.bound_lux));
     }
 
     bool any_is(EffectChoice choice) const {
@@ -131,7 +134,8 @@ private:
             return absent(effect, "Every surface has reflectance 0.");
         }
         const std::string rests_on =
-            "at most " + figure(light_.direct) + " lx of direct light on any surface" +
+            (std::isfinite(light_.direct) ? "at most " + figure(light_.direct) + " lx of direct light on any surface"
+                                          : std::string("direct light that has no bound where a luminaire touches")) +
             (light_.own_exitance > 0.0 ? ", " + figure(light_.own_exitance) + " lm/m2 emitted by surfaces"
                                        : std::string()) +
             " and a greatest reflectance of " + figure(light_.reflectance);
@@ -177,7 +181,7 @@ private:
         PlannedEffect made =
             row(effect, EffectState::simulated, "Sight between surfaces may be blocked by " + obstacles_ + ".",
                 cost_.patch_occlusion_ms());
-        bound_at_points(made, between.bound_at_points);
+        bound_at_points(made, between.bound_at_points, "Without them, interreflection would be off by up to {} lx.");
         return made;
     }
 
@@ -220,7 +224,7 @@ private:
         if (openings.luminaires == 0)
             return absent(Effect::opening_size, "No luminaire shines from a measured opening.");
         PlannedEffect made = row(Effect::opening_size, EffectState::simulated, openings.why, cost_.direct_ms());
-        bound_at_points(made, changes_.openings);
+        bound_at_points(made, changes_.openings, "As points, their direct light would be off by up to {} lx.");
         return made;
     }
 

@@ -38,7 +38,9 @@ std::vector<Variant> variants_of(const SceneSnapshot& scene, const Settings& set
     std::vector<Variant> variants;
     for (const PlannedEffect& row : plan_effects(*scene, everything).effects) {
         if (row.state != EffectState::simulated) continue;
-        Variant variant{row.effect, scene, everything, true, row.may_be_skipped || row.bound_lux > 0.0 ? row.bound_lux : -1.0};
+        Variant variant{row.effect, scene, everything, true, -1.0};
+        // Bounds of shadows and openings are of light straight from luminaires, not of what it is reflected to.
+        if (row.may_be_skipped || row.effect == Effect::occlusion_patches) variant.bound_lux = row.bound_lux;
         if (const EffectOption* const option = option_of(row.effect)) {
             variant.settings.*option->member = EffectChoice::never;
             // Of furniture the row's bound is that of one piece; all of it is left out here.
