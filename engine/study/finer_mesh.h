@@ -23,4 +23,12 @@ struct WishedValues {
 std::shared_ptr<const Mesh> finer_mesh(Level& level, const LevelAnswer& answer, const WishedValues& wished,
                                        double growth, const LevelInput& input, const Work& work, StageClock& clock);
 
+/// lx that elements may misplace at each place, as an estimate: every patch with the most that it misses at its
+/// corners. Means over its quarters are right, so that what it misses cancels from afar.
+///
+/// Returns   empty when stopped.
+std::optional<std::vector<double>> misplaced_light(Level& level, const LevelAnswer& answer,
+                                                   std::span<const Receiver> places, const LevelInput& input,
+                                                   const Work& work, StageClock& clock);
+
 }  // namespace hanei

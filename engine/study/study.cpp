@@ -314,7 +314,7 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
     const auto direct = direct_at_points(run);
     if (!direct) return false;
     GatheredLight gathered{nothing(points->size()), nothing(points->size()), {}};
-    std::vector<double> coarse_values(points->size(), -1.0);
+    std::vector<double> coarse_values(points->size(), -1.0), misplaced = nothing(points->size());
     if (!answer.parts.empty()) {
         auto fine_light = newest->gather(points_slot, answer.parts, points, run.fine_input(), run.work, run.clock);
         if (!fine_light) return false;
@@ -324,6 +324,11 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
                 rougher->gather(points_slot, rough->parts, points, run.fine_input(), run.work, run.clock);
             if (!coarse_light) return false;
             coarse_values = std::move(coarse_light->interreflected);
+            if (rougher == &fine) {  // refined: what was not cut does not differ from the coarser solution
+                auto left = misplaced_light(*newest, answer, *points, run.fine_input(), run.work, run.clock);
+                if (!left) return false;
+                misplaced = std::move(*left);
+            }
             solution.typical_mesh_error = root_mean_square_difference(coarse_values, gathered.interreflected);
             typical_mesh_error = solution.typical_mesh_error;
         }
@@ -332,7 +337,7 @@ bool Study::Stages::values(Run& run, const LevelAnswer& answer, const LevelAnswe
     std::size_t k = 0;
     places.for_each([&](PointResult& point) {
         point.value = value_from({(*direct)[2 * k], gathered.interreflected[k], gathered.iteration[k], coarse_values[k],
-                                  solution.typical_mesh_error, solution.reflected_error,
+                                  misplaced[k], solution.typical_mesh_error, solution.reflected_error,
                                   solution.plan.skipped_at(point.position, point.normal), (*direct)[2 * k + 1]});
         if (run.request.live && !rough) point.value.error.mesh = typical_mesh_error;
         if (is_covered(*solution.occluders, point.position, point.normal)) {

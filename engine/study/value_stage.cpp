@@ -47,8 +47,8 @@ PointValue value_from(const ValueParts& parts) {
     value.error.iteration = parts.iteration + rounding * (parts.direct + parts.interreflected);
     constexpr double of_difference = 1.6, of_typical = 0.6;  // so that 95 of 100 values of all reference cases hold
     if (parts.coarse >= 0.0)
-        value.error.mesh = std::max(of_difference * std::abs(parts.interreflected - parts.coarse),
-                                    of_typical * parts.typical_mesh_error) +
+        value.error.mesh = std::max({of_difference * std::abs(parts.interreflected - parts.coarse),
+                                     of_typical * parts.typical_mesh_error, parts.misplaced}) +
                            parts.reflected_error * parts.interreflected;
     value.error.skipped = parts.skipped;
     value.error.sampling = parts.sampling;

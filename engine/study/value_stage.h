@@ -36,14 +36,15 @@ struct ValueParts {
     double interreflected = 0.0;
     double iteration = 0.0;  ///< gathered from the exitances' half widths
     double coarse = -1.0;    ///< the coarser solution's interreflected value; negative: not computed
+    double misplaced = 0.0;  ///< what elements may misplace that both resolutions have alike (finer_mesh.h)
     double typical_mesh_error = 0.0;
     double reflected_error = 0.0;  ///< share of the interreflected value
     double skipped = 0.0;
     double sampling = 0.0;  ///< by how much the direct light may be off
 };
 /// Mesh part: 1.6 times the difference of the two resolutions, and at least 0.6 of its root mean square
-/// over all points, so that two curves that happen to cross do not claim to be exact; and what scaling
-/// to closure and the direct light of patches may have misplaced.
+/// over all points, so that two curves that happen to cross do not claim to be exact, and at least what is
+/// misplaced alike by both; and what scaling to closure and the direct light of patches may have misplaced.
 PointValue value_from(const ValueParts& parts);
 
 /// Means over patches of what arrives, lx.
