@@ -41,10 +41,8 @@ public:
             ceiling_ = std::make_shared<const LightCeiling>(scene, faces_);
             skipping_.emplace(scene, ceiling_);
         }
-        if (detail == PlanDetail::bounds) {
-            points_ = few_calculation_points(scene);
-            changes_ = direct_changes(scene, points_);
-        }
+        if (detail == PlanDetail::bounds) points_ = few_calculation_points(scene);
+        if (!points_.empty()) changes_ = direct_changes(scene, points_);
     }
 
     EffectsPlan plan() {
@@ -76,8 +74,7 @@ private:
         if (obstacles_.empty()) return absent(effect, unobstructed);
         PlannedEffect made = row(effect, EffectState::simulated, "Light may be blocked by " + obstacles_ + ".",
                                  cost_.direct_occlusion_ms());
-        bound_at_points(made, changes_.shadows,
-                        "Without shadows up to {} lx more would come straight from luminaires.");
+        bound_at_points(made, changes_.shadows);
         return made;
     }
 
@@ -93,17 +90,15 @@ private:
                 std::to_string(light_.luminaires_with_extent) + " of " + std::to_string(light_.luminaires) +
                     " luminaires have extent and may be partly hidden.",
                 0.5 * cost_.direct_occlusion_ms());
-        bound_at_points(made, changes_.penumbra, "With hard edges, direct light would be off by up to {} lx.");
+        bound_at_points(made, changes_.penumbra);
         return made;
     }
 
-    /// Of what is always simulated: by how much less of it would change the values, and a sentence that says so.
-    void bound_at_points(PlannedEffect& made, std::span<const double> bounds, std::string sentence) const {
-        if (points_.empty() || bounds.empty()) return;
+    /// Of what is always simulated: by how much less of it would change the values.
+    void bound_at_points(PlannedEffect& made, std::span<const double> bounds) const {
+        if (points_.empty()) return;
         made.bound_lux = greatest(bounds);
         made.bound_at_points.assign(bounds.begin(), bounds.end());
-        if (std::isfinite(made.bound_lux))
-            made.why += " " + sentence.replace(sentence.find("{}"), 2, figure(made.bound_lux));
     }
 
     bool any_is(EffectChoice choice) const {
@@ -181,7 +176,7 @@ private:
         PlannedEffect made =
             row(effect, EffectState::simulated, "Sight between surfaces may be blocked by " + obstacles_ + ".",
                 cost_.patch_occlusion_ms());
-        bound_at_points(made, between.bound_at_points, "Without them, interreflection would be off by up to {} lx.");
+        bound_at_points(made, between.bound_at_points);
         return made;
     }
 
@@ -224,7 +219,7 @@ private:
         if (openings.luminaires == 0)
             return absent(Effect::opening_size, "No luminaire shines from a measured opening.");
         PlannedEffect made = row(Effect::opening_size, EffectState::simulated, openings.why, cost_.direct_ms());
-        bound_at_points(made, changes_.openings, "As points, their direct light would be off by up to {} lx.");
+        bound_at_points(made, changes_.openings);
         return made;
     }
 

@@ -50,7 +50,8 @@ struct PlannedEffect {
     Effect effect = Effect::interreflection;
     EffectState state = EffectState::simulated;
     std::string why;  ///< one sentence with the figures it rests on
-    /// lx that skipping changes at most, or would (of what is always simulated: leaving it out), at any calculation
+    /// lx that skipping changes at most, or would (of what is always simulated: leaving it out; of
+    /// direct shadows, penumbra and openings as far as light comes straight from luminaires), at any calculation
     /// point (at any surface when there is none); 0 when not present, infinite when it has no bound, negative when it
     /// was not asked for. Of bounces cut off by the settings: what those after the last add at most (the iteration part
     /// of error bars says how much it is, so it is not among the skipped).

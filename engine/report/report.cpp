@@ -155,6 +155,7 @@ std::string plan_text(const EffectsPlan& plan) {
         text += fmt::format("  {:<24} {:<12} {:>12} {:>11.1f}~  reflectance {:.2g}, {:.3g} m2\n", piece.name,
                             name_of(piece.state), bound_figure(piece.bound_lux), piece.predicted_ms, piece.reflectance,
                             piece.area);
+    text += "bounds of direct shadows, penumbra and openings are of light straight from luminaires\n";
     text +=
         fmt::format("skipped effects leave out at most {:.3g} lx {}\n", plan.skipped_lux, "at any calculation point");
     return text;

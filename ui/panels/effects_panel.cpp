@@ -215,7 +215,9 @@ EffectsPanel::Outcome EffectsPanel::table(const Solution& solution, const Settin
     constexpr Column columns[] = {
         {"Effect", 2.0F, "What light does that may be simulated"},
         {"State", 1.1F, "Skipped effects are bounded, and counted in every error bar"},
-        {"Bound  lx", 1.0F, "What skipping leaves out, or would, at any calculation point at most"},
+        {"Bound  lx", 1.0F,
+         "What skipping leaves out, or would, at any calculation point at most; of direct shadows, penumbra and "
+         "openings: of light straight from luminaires"},
         {"Found  lx", 1.0F, "The greatest change at a calculation point when it was left out"},
         {"Cost", 0.9F, "Predicted, or measured once it ran"},
         {"Choice", 1.5F, "Who decides: the plan by its bounds, or you"},
