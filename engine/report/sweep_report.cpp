@@ -145,7 +145,7 @@ std::string sweep_text(const Sweep& sweep) {
         left_out += fmt::format("{}{} {:.2g} m{} ({})", left_out.empty() ? "" : ", ", name_of(run.settings.method),
                                 run.settings.max_patch, run.shadows ? "" : " without shadows between surfaces",
                                 time_text(run.predicted_ms));
-    if (!left_out.empty()) text += fmt::format("Left out, predicted to take longer than was left: {}.\n", left_out);
+    if (!left_out.empty()) text += fmt::format("Left out, for they take longer than was left: {}.\n", left_out);
     text +=
         fmt::format("{} runs in {:.1f} s of {:.0f} s, {:.1f} s of processor time{}.\n", sweep.points.size(),
                     sweep.spent_s, sweep.budget_s, sweep.processor_s, sweep.stopped ? "; stopped before the end" : "");

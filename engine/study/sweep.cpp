@@ -41,7 +41,7 @@ private:
     std::optional<SweepAnswer> compared_with(const Settings& fine, double most_seconds);
     static std::string run_words(const Settings& settings, const SweepAnswer& answer);
     bool carry_out(const PlannedRun& planned);
-    std::optional<SweepAnswer> timed(const PlannedRun& planned, std::optional<SweepRun>& run);
+    std::optional<SweepAnswer> timed(const PlannedRun& planned, std::optional<SweepRun>& run, const Work& work);
     void note(const PlannedRun& planned, const SweepAnswer& answer, int bounces, double ms);
     void learn(const PlannedRun& planned, const SweepAnswer& answer);
     void leave_out(const PlannedRun& planned, double ms);
@@ -152,16 +152,19 @@ bool Sweeping::find_truth() {
     return true;
 }
 
-/// Short runs are repeated, so that what else the machine does hardly counts.
-std::optional<SweepAnswer> Sweeping::timed(const PlannedRun& planned, std::optional<SweepRun>& run) {
+/// Short runs are repeated, so that what else the machine does hardly counts. `run` is the last one, when it ended.
+std::optional<SweepAnswer> Sweeping::timed(const PlannedRun& planned, std::optional<SweepRun>& run, const Work& work) {
     constexpr int most_runs = 5;
     const double long_enough = std::clamp(1000.0 * wish_.budget / 300.0, 5.0, 400.0);  // ms
     std::optional<SweepAnswer> best;
     double spent = 0.0;
     for (int k = 0; k < most_runs && spent < long_enough; ++k) {
         run.emplace(scene_, planned.settings, planned.shadows, sets_);  // a new one: nothing is reused
-        auto answer = run->with_bounces(planned.settings.bounces, work_);
-        if (!answer) return std::nullopt;
+        auto answer = run->with_bounces(planned.settings.bounces, work);
+        if (!answer) {
+            run.reset();
+            break;
+        }
         spent += answer->milliseconds;
         if (!best || answer->milliseconds < best->milliseconds) best = std::move(answer);
     }
@@ -201,14 +204,21 @@ bool Sweeping::carry_out(const PlannedRun& planned) {
         leave_out(planned, predicted);
         return true;
     }
+    const double left = left_ms();  // a prediction that was too good takes no more
+    const Deadline deadline(1e-3 * left, work_.stop);
+    const Work work{work_.threads, deadline.token(), nullptr};
     std::optional<SweepRun> run;
-    const auto whole = timed(planned, run);
-    if (!whole) return false;
+    const auto whole = timed(planned, run, work);
+    if (work_.stop.stop_requested()) return false;
+    if (!whole) {
+        leave_out(planned, left);
+        return true;
+    }
     note(planned, *whole, planned.settings.bounces, whole->milliseconds);
     learn(planned, *whole);
     for (const int bounces : planned.fewer) {
-        const auto answer = run->with_bounces(bounces, work_);
-        if (!answer) return false;
+        const auto answer = run ? run->with_bounces(bounces, work) : std::nullopt;
+        if (!answer) break;
         note(planned, *answer, bounces, whole->milliseconds - whole->balance_ms() + answer->balance_ms());
     }
     find_frontier();

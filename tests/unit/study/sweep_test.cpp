@@ -93,6 +93,23 @@ TEST(Sweep, leaves_out_what_is_predicted_to_go_beyond_the_budget) {
     for (const OmittedRun& run : sweep.left_out) EXPECT_GT(run.predicted_ms, 0.0);
 }
 
+TEST(Sweep, ends_runs_that_take_longer_than_was_predicted_and_left) {
+    Scene room = test::grouped_office();
+    room.grids.clear();
+    room.points = {{room.new_id(), "desk", {2.0, 2.0, 0.76}, {0.0, 0.0, 1.0}, {}}};
+    SweepExpected expected{"what was measured", {400.0}, {"desk"}, {8.0}};
+    Settings fine = quick();
+    fine.max_patch = 0.1;  // all runs take minutes together
+    SweepWish wish;
+    wish.expected = &expected;
+    wish.budget = 1.0;
+    for (const Method method : methods)
+        wish.calibration.learn({method, 1000.0, expected_work(room, fine).room, {1e-9, 1e-9, 1e-9, 1e-9, 1e-9}, 0.01});
+    const Sweep sweep = accuracy_sweep(test::snapshot(room), fine, wish, {1, {}, nullptr});
+    EXPECT_FALSE(sweep.stopped);
+    EXPECT_FALSE(sweep.left_out.empty());
+}
+
 TEST(Sweep, stops_when_asked_and_says_so) {
     std::stop_source stop;
     stop.request_stop();
