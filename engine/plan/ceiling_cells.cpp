@@ -28,10 +28,6 @@ void measure(CeilingCell& cell) {
     for (const Vec3& corner : cell.corners) cell.radius = std::max(cell.radius, glm::distance(cell.centre, corner));
 }
 
-double distance(const CeilingCell& a, const CeilingCell& b) {
-    return glm::length(glm::max(Vec3{0.0}, glm::max(a.low - b.high, b.low - a.high)));
-}
-
 double distance(const Vec3& place, const CeilingCell& cell) {
     return glm::length(glm::max(Vec3{0.0}, glm::max(cell.low - place, place - cell.high)));
 }
@@ -163,6 +159,10 @@ std::vector<CeilingCell> ceiling_cells(const Scene& scene, std::span<const Face>
         cells.push_back(std::move(cell));
     }
     return cells;
+}
+
+double distance(const CeilingCell& a, const CeilingCell& b) {
+    return glm::length(glm::max(Vec3{0.0}, glm::max(a.low - b.high, b.low - a.high)));
 }
 
 SeenSource most_seen(const CeilingCell& receiver, const CeilingCell& source) {

@@ -38,6 +38,8 @@ CeilingCell cell_at(const Vec3& position, const Vec3& normal);
 CeilingCell cell_around(std::span<const Vec3> places, double area);                        ///< their box
 CeilingCell cell_of_rectangle(const Vec3& corner, const Vec3& along, const Vec3& across);  ///< faces along x across
 
+double distance(const CeilingCell& a, const CeilingCell& b);  ///< m, of the boxes about them
+
 /// How much of a diffuse source can be seen at most, whatever stands between.
 struct SeenSource {
     double factor = 0.0;  ///< of the hemisphere: with M its greatest exitance M times this is no less than its lx

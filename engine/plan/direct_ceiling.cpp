@@ -69,10 +69,6 @@ CeilingCell flat_cell(std::vector<Vec3> corners, const Vec3& normal, double area
     return cell;
 }
 
-double distance(const CeilingCell& a, const CeilingCell& b) {
-    return glm::length(glm::max(Vec3{0.0}, glm::max(a.low - b.high, b.low - a.high)));
-}
-
 }  // namespace
 
 DirectCeiling::DirectCeiling(const Scene& scene, const Luminaire& luminaire) {

@@ -1,6 +1,5 @@
 #include "engine/plan/direct_changes.h"
 
-#include "engine/base/tolerance.h"
 #include "engine/geometry/body_shape.h"
 #include "engine/plan/direct_ceiling.h"
 #include "engine/plan/measured_openings.h"
@@ -36,15 +35,7 @@ std::vector<Obstacle> obstacles_in(const Scene& scene) {
     std::vector<Obstacle> obstacles;
     for (const Shell& shell : shells_of(scene))
         if (!shell.vertices.empty()) obstacles.push_back(around(shell.vertices, shell.object));
-    const std::vector<Face> faces = faces_of(scene);
-    const std::vector<Vec3> places = places_of(scene, faces);
-    const double same_place = tolerance::same_place * bounds_of(scene).diameter();
-    for (const Face& face : faces) {
-        const bool of_furniture =
-            std::ranges::find(scene.furniture, face.ref.object, &Furniture::id) != scene.furniture.end();
-        if (!of_furniture && has_something_behind(face, places, same_place))
-            obstacles.push_back(around(face.region.outline, face.ref.object));
-    }
+    for (const Face& face : sheets_in_the_way(scene)) obstacles.push_back(around(face.region.outline, face.ref.object));
     for (const Luminaire& luminaire : scene.luminaires)
         if (luminaire.opaque)
             obstacles.push_back(around(DirectCeiling(scene, luminaire).shining().corners, luminaire.id));

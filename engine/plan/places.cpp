@@ -5,7 +5,6 @@
 #include "engine/scene/placement.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hanei {
 
@@ -41,7 +40,7 @@ std::vector<Receiver> few_calculation_points(const Scene& scene) {
         const Vec3 area = glm::cross(grid.along, grid.across);
         if (!(grid.spacing > 0.0) || !(glm::length(area) > 0.0)) continue;
         const auto cells = [&](const Vec3& side) {
-            return std::max(1, static_cast<int>(std::lround(glm::length(side) / grid.spacing)));
+            return static_cast<int>(grid_cells(glm::length(side), grid.spacing));
         };
         const int columns = cells(grid.along), rows = cells(grid.across);
         for (int row = 0; row < rows; ++row) {
@@ -75,19 +74,24 @@ bool has_something_behind(const Face& face, std::span<const Vec3> places, double
                        [&](const Vec3& place) { return glm::dot(place - origin, face.normal) < -same_place; });
 }
 
-std::string obstacles_of(const Scene& scene) {
-    const std::vector<Face> faces = faces_of(scene);
+std::vector<Face> sheets_in_the_way(const Scene& scene) {
+    std::vector<Face> faces = faces_of(scene);
     const std::vector<Vec3> places = places_of(scene, faces);
     const double same_place = tolerance::same_place * bounds_of(scene).diameter();
-    std::size_t walls = 0;
-    std::size_t sheets = 0;
-    for (const Face& face : faces) {
+    std::erase_if(faces, [&](const Face& face) {
         const bool of_room = scene.room && face.ref.object == scene.room->id;
         const bool free = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                                       [&](const FreeSurface& surface) { return surface.id == face.ref.object; });
-        if (!(of_room || free) || !has_something_behind(face, places, same_place)) continue;
-        ++(of_room ? walls : sheets);
-    }
+        return !(of_room || free) || !has_something_behind(face, places, same_place);
+    });
+    return faces;
+}
+
+std::string obstacles_of(const Scene& scene) {
+    std::size_t walls = 0;
+    std::size_t sheets = 0;
+    for (const Face& face : sheets_in_the_way(scene))
+        ++(scene.room && face.ref.object == scene.room->id ? walls : sheets);
     const auto openings = static_cast<std::size_t>(std::count_if(
         scene.luminaires.begin(), scene.luminaires.end(), [](const Luminaire& luminaire) { return luminaire.opaque; }));
     std::string text;

@@ -21,6 +21,9 @@ std::vector<Vec3> places_of(const Scene& scene, std::span<const Face> faces);
 /// can the face hide something.
 bool has_something_behind(const Face& face, std::span<const Vec3> places, double same_place);
 
+/// The room's faces and free surfaces that can hide something.
+std::vector<Face> sheets_in_the_way(const Scene& scene);
+
 /// What may stand between two places, in words for the plan ("12 solids, 2 walls"); empty when
 /// nothing can, which is decided on the safe side.
 std::string obstacles_of(const Scene& scene);

@@ -1,16 +1,14 @@
 #include "engine/plan/skipping.h"
 
 #include "engine/plan/places.h"
+#include "engine/scene/grid_spacing.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hanei {
 namespace {
 
-constexpr int most_rectangles_a_side = 8;
-
-int cells_of(double side, double spacing) { return std::max(1, static_cast<int>(std::lround(side / spacing))); }
+constexpr double most_rectangles_a_side = 8.0;
 
 }  // namespace
 
@@ -30,7 +28,7 @@ Skipping::Skipping(const Scene& scene, std::shared_ptr<const LightCeiling> ceili
         const Vec3 area = glm::cross(grid.along, grid.across);
         if (!(grid.spacing > 0.0) || !(glm::length(area) > 0.0)) continue;
         const auto pieces = [&](const Vec3& side) {
-            return std::min(most_rectangles_a_side, cells_of(glm::length(side), grid.spacing));
+            return static_cast<int>(std::min(most_rectangles_a_side, grid_cells(glm::length(side), grid.spacing)));
         };
         const int columns = pieces(grid.along), rows = pieces(grid.across);
         const Vec3 along = grid.along / static_cast<double>(columns), across = grid.across / static_cast<double>(rows);

@@ -4,14 +4,11 @@
 #include <cmath>
 
 namespace hanei {
-namespace {
 
-double cells(double side, double spacing) { return std::max(1.0, std::round(side / spacing)); }
-
-}  // namespace
+double grid_cells(double side, double spacing) { return std::max(1.0, std::round(side / spacing)); }
 
 double grid_points(const CalculationGrid& grid) {
-    return cells(glm::length(grid.along), grid.spacing) * cells(glm::length(grid.across), grid.spacing);
+    return grid_cells(glm::length(grid.along), grid.spacing) * grid_cells(glm::length(grid.across), grid.spacing);
 }
 
 double standard_spacing(const CalculationGrid& grid) {

@@ -7,6 +7,9 @@ namespace hanei {
 
 inline constexpr double most_grid_points = 1e6;  ///< more cannot be computed
 
+/// Cells on one side of a grid, as many as come nearest to the wished spacing: one at least.
+double grid_cells(double side, double spacing);
+
 /// A cell's centre each: along and across as many cells as come nearest to the wished spacing.
 /// Needs     a spacing above 0.
 double grid_points(const CalculationGrid& grid);

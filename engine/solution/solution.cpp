@@ -1,7 +1,8 @@
 #include "engine/solution/solution.h"
 
+#include "engine/scene/grid_spacing.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace hanei {
 
@@ -23,9 +24,7 @@ GridFigures figures_of(const GridResult& grid) {
 }
 
 GridResult layout_of(const CalculationGrid& grid) {
-    const auto cells = [&](const Vec3& side) {
-        return std::max(1, static_cast<int>(std::lround(glm::length(side) / grid.spacing)));
-    };
+    const auto cells = [&](const Vec3& side) { return static_cast<int>(grid_cells(glm::length(side), grid.spacing)); };
     GridResult layout{.grid = grid.id, .columns = cells(grid.along), .rows = cells(grid.across), .points = {}};
     const Vec3 normal = glm::normalize(glm::cross(grid.along, grid.across));
     layout.points.reserve(static_cast<std::size_t>(layout.columns) * static_cast<std::size_t>(layout.rows));

@@ -41,7 +41,7 @@ struct SweepPoint {
 struct OmittedRun {
     Settings settings;
     bool shadows = true;
-    double predicted_ms = 0.0;
+    double predicted_ms = 0.0;  ///< or what it had when it was ended, not done yet
 };
 
 struct Sweep {
